@@ -1,15 +1,17 @@
 #!/usr/bin/python3
 """Keeps planted bugs in step with the code that they break. Usage: check_mutants.py [ROOT]
 
-Each tests/mutants/NN-name.patch has to apply to the tree as it is; whether the simulation finds it is tests/mutants/run's to
-show, which takes too long for every change."""
+Each patch has to apply to the tree as it is; whether it is found is for tests/mutants/run (by the simulation) and
+tests/containers/plant to show, which take too long for every change."""
 import pathlib
 import subprocess
 import sys
 
+FOLDERS = ("tests/mutants", "tests/containers/planted")
+
 
 def faults(root):
-    for patch in sorted((root / "tests" / "mutants").glob("*.patch")):
+    for patch in sorted(path for folder in FOLDERS for path in (root / folder).glob("*.patch")):
         tried = subprocess.run(["git", "apply", "--check", str(patch)], cwd=root, capture_output=True, text=True)
         if tried.returncode != 0:
             why = (tried.stderr.strip() or "git says nothing").splitlines()[0]

@@ -17,10 +17,11 @@ MORE_FILES = 60            # open files that a process may have more than when i
 
 
 class Bench:
-    def __init__(self, say):
-        self.say, self.numbers = say, {}
+    def __init__(self, say, build):
+        self.say, self.build, self.numbers = say, build, {}
         self.lab, self.fleet, self.records = None, None, None
-        self.ended, self.files = {}, {}
+        self.ended, self.files, self.restarts = {}, {}, {}
+        self.may_end = False                     # programs that a scenario attacks may end, and are started anew
 
     def open_lab(self):
         if self.lab is None:
@@ -32,7 +33,7 @@ class Bench:
         if self.lab is not None:
             self.lab.engine.stop()
         self.lab = self.fleet = self.records = None
-        self.ended, self.files = {}, {}
+        self.ended, self.files, self.restarts = {}, {}, {}
         lab.clean()
 
     def start_fleet(self):
@@ -73,7 +74,7 @@ class Bench:
         moving, standing = network.stands(records, since)
         touching, least = network.apart(records, since)
         broken += [f'A3: {what}' for what in beyond] + [f'A4: {what}' for what in moving] + [f'A5: {what}' for what in touching]
-        broken += [f'A7: {what}' for what in self.processes()]
+        broken += [f'A6: {what}' for what in self.windows()] + [f'A7: {what}' for what in self.processes()]
         nearest = f', robots never nearer than {least:.2f} m' if math.isfinite(least) else ''
         self.say(f'judged {len(records.acks)} acknowledged batches, {on_routes} frames on routes, {standing} standing{nearest}')
         return broken
@@ -91,13 +92,26 @@ class Bench:
                     fleet.weft('localise', name, good=None)
             time.sleep(1)
 
+    def windows(self):
+        """Robots whose window is not what the server has for them, a while after everything has ended."""
+        def behind():
+            rows = self.fleet.robots()
+            return [name for name in self.fleet.names if name not in self.fleet.killed and not rows[name]['window_current']]
+        end = time.monotonic() + HEALS_IN
+        while (left := behind()) and time.monotonic() < end:
+            time.sleep(0.5)
+        return [f"the window of {name} is not the server's" for name in left]
+
     def processes(self):
-        """What is wrong with the containers: ended, short of memory, or with ever more open files."""
-        broken = []
+        """What is wrong with the containers: ended, started anew by the engine, short of memory, with a core or ever more open files."""
+        broken = [f'a core is left: {path}' for path in (lab.ROOT / 'state').rglob('core*') if path.is_file()]
         for name, node in self.lab.nodes.items():
             if name in self.fleet.killed:
                 continue
-            running, oom, code = node.inspect('{{.State.Running}} {{.State.OOMKilled}} {{.State.ExitCode}}').split()
+            running, oom, code, restarts = node.inspect('{{.State.Running}} {{.State.OOMKilled}} {{.State.ExitCode}} {{.RestartCount}}').split()
+            if int(restarts) > self.restarts.get(name, 0) and not self.may_end:
+                broken.append(f'{name} has ended by itself, and was started anew: {self.lab.log(name, 2).strip()}')
+            self.restarts[name] = int(restarts)
             if running != 'true' or oom != 'false':
                 broken.append(f'{name} has ended, code {code}{", out of memory" if oom == "true" else ""}: {self.lab.log(name, 2).strip()}')
                 continue

@@ -50,16 +50,23 @@ class Fleet:
             argv = ['-c', f'while [ ! -e {gate} ]; do sleep 0.1; done; exec "$0" "$@"', program, *argv]
         return self.lab.start(name, number, 'weft-server', *argv, entry='/bin/sh' if gate else program, flags=['--restart', 'on-failure', *flags], disk=disk)
 
-    def start_robot(self, name, skew=None, gate=None, of=1, pace=PACE):
-        """One robot, or `of` them in one process, from that name on."""
+    def start_robot(self, name, skew=None, gate=None, of=1, pace=PACE, last=0):
+        """One robot, or `of` them in one process, from that name on: then of Fast DDS, as Cyclone DDS takes one bus a process. `last`: the
+        highest number of all, by which they stand evenly on the ring."""
         number = int(name[1:])
         flags = []
         if skew is not None:
             flags = ['-v', f'{FAKETIME}:{FAKETIME}:ro', '-e', f'LD_PRELOAD={FAKETIME}/libfaketimeMT.so.1', '-e', f'FAKETIME={skew:+d}s', '-e',
                      'FAKETIME_DONT_FAKE_MONOTONIC=1']
-        argv = ['--first', number, '--robots', of, '--fleet', max(len(self.names), number + of - 1), '--pace', pace, '--state', '/var/lib/weft',
-                '--records', '/records', '--listen', 'eth0', '--server', 'server', '--dds', VENDORS[number % 2]]
+        argv = ['--first', number, '--robots', of, '--fleet', last or max(len(self.names), number + of - 1), '--pace', pace, '--state', '/var/lib/weft',
+                '--records', '/records', '--listen', 'eth0', '--server', 'server', '--dds', VENDORS[number % 2] if of == 1 else VENDORS[0]]
         return self.begin_at(gate, name, FIRST_ROBOT + number, '/light/weft-light-agents', argv, ROBOT_DISK_MB, flags)
+
+    def start_newcomer(self, name, protocol):
+        """One that greets as an agent of another protocol, and does nothing else."""
+        number = int(name[1:])
+        return self.begin_at(None, name, FIRST_ROBOT + number, '/light/weft-light-agents', ['--first', number, '--fleet', number, '--protocol', protocol, '--state',
+                             '/var/lib/weft', '--records', '/records', '--listen', 'eth0', '--server', 'server'], ROBOT_DISK_MB)
 
     def node(self, name):
         return self.lab.nodes[name]
@@ -157,7 +164,11 @@ class Fleet:
         here = records.update().robots[name].rows[-1][2:4]
         nearest = min(range(len(points)), key=lambda i: (points[i][0] - here[0]) ** 2 + (points[i][1] - here[1]) ** 2)
         ahead = (points + points)[nearest + 8:nearest + 8 + round(metres / 0.25)]
-        self.weft('teach', name, 'start', '--as', experience, '--along', lines.write([here, *ahead], folder / f'{name}.part'), timeout=60)
+        part = lines.write([here, *ahead], folder / f'{name}.part')
+
+        def begun():                                # until then it may have been asked to make way once more
+            return self.weft('teach', name, 'start', '--as', experience, '--along', part, timeout=60, good=None)
+        lab.wait_until(f'{name} to be taught', begun, 30, every=0.5)
 
     def localise(self, names):
         def located():
@@ -206,8 +217,21 @@ class Fleet:
             raise lab.Trouble(f"{len(failed)} of {len(ids)} goals did not succeed: {', '.join(failed[:4])}")
 
     def events(self, kind):
-        """How often the server has logged such an event; of what no command tells."""
-        return len(re.findall(rf' {re.escape(kind)}: ', self.lab.log('server', 'all')))
+        """How many of the last thousand events are of that kind."""
+        return sum(row['kind'] == kind for row in self.event_rows('--kind', kind, '--last', 1000))
+
+    def told(self, kind, name=None):
+        """What the last event of that kind says, of a robot if one is named; none: there is none."""
+        rows = self.event_rows('--kind', kind, *(['--robot', name] if name else []))
+        return rows[-1]['cause'] if rows else None
+
+    def event_rows(self, *words):
+        done = subprocess.run(self.argv('events', *words), capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=60)
+        return [json.loads(line) for line in done.stdout.splitlines()]
+
+    def alarms(self, name):
+        """The kinds of the alarms of a robot."""
+        return {row['kind'] for row in self.weft('alarms', good=(0, 1))['alarms'] if row['robot'] == name}
 
     def export(self):
         path = lab.ROOT / 'network.json'

@@ -232,7 +232,7 @@ class Loss:
     RULE = ('-i', 'eth0', '-j', 'NFQUEUE', '--queue-num', '0', '--queue-bypass')
 
     def __init__(self, node, **settings):
-        self.node, pid = node, node.pid()
+        self.node, pid, self.share = node, node.pid(), settings.get('loss', 0.0)
         flags = [word for name, value in settings.items() for word in ('--' + name.replace('_', '-'), str(value))]
         log = open(ROOT / f'netfault-{node.name}', 'wb')
         self.log = pathlib.Path(log.name)

@@ -6,6 +6,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/containers/light/newcomer.hpp"
 #include "tests/containers/light/robot.hpp"
 
 namespace {
@@ -13,14 +14,16 @@ using namespace weft;
 
 /// Runs all robots, a thread each, until SIGINT or SIGTERM, or until one cannot go on. Returns the exit code.
 int live(const light::Options& options, const sigset_t& signals) {
-  const auto site = light::site_of(options);
+  const auto site = options.protocol == 0 ? light::site_of(options) : nullptr;
   std::atomic<bool> is_over = false;
   std::atomic<bool> has_failed = false;
   std::vector<std::jthread> robots;
   for (std::size_t number = options.first; number < options.first + options.robots; ++number) {
     robots.emplace_back([&, number] {
       try {
-        const Result<void> ended = light::run_robot(options, site, number, [&] { return is_over.load(); });
+        const auto stop = [&] { return is_over.load(); };
+        const Result<void> ended =
+            site ? light::run_robot(options, site, number, stop) : light::run_newcomer(options, stop);
         if (ended) return;
         std::fprintf(stderr, "weft-light-agents: %s: %s\n", light::name_of(number).c_str(),
                      ended.error().message.c_str());

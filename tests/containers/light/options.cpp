@@ -32,6 +32,9 @@ void declare(CLI::App& app, Options& options, std::string& vendor) {
                  "Directory of truth.jsonl and what agents record; a robot goes on where it was");
   app.add_option("--lines", options.lines, "Writes the robots' teach lines into this directory, and ends");
   app.add_option("--dds", vendor, "fastdds | cyclonedds [fastdds]");
+  app.add_option("--protocol", options.protocol,
+                 "Does nothing but greet as the agent --first of a version that speaks this protocol alone, 1 to 100")
+      ->check(CLI::Range(1U, 100U));
   app.add_option("--domain", options.domain, "DDS domain, 0 to 200 [0]")->check(CLI::Range(0U, 200U));
   app.add_option("--listen", options.listen, "Address or name of the interface to bind to [127.0.0.1]");
   app.add_option("--server", options.servers, "HOST or HOST:INDEX of the server [127.0.0.1]");

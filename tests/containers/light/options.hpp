@@ -21,6 +21,7 @@ struct Options {
   std::string records;  ///< directory
   std::string lines;  ///< directory: their teach lines are written there, and nothing else is done; empty: they live
   bus::Vendor vendor = bus::Vendor::fastdds;
+  unsigned protocol = 0;  ///< 0: it lives; else it only greets as an agent that speaks that version alone
   unsigned domain = 0;
   std::string listen = "127.0.0.1";
   std::vector<std::string> servers = {"127.0.0.1"};

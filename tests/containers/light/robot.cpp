@@ -8,11 +8,11 @@
 #include "agents/agent/process/loop.hpp"
 #include "agents/agent/process/records.hpp"
 #include "agents/navigation/navigator_of.hpp"
-#include "idl/bus/link.hpp"
 #include "process/clocks.hpp"
 #include "process/log.hpp"
 #include "process/vitals.hpp"
 #include "storage/spool/file_spool.hpp"
+#include "tests/containers/light/open_link.hpp"
 #include "tests/containers/light/true_body.hpp"
 #include "tests/support/marks.hpp"
 
@@ -20,27 +20,6 @@ namespace weft::light {
 namespace {
 
 constexpr const char* kProgram = "weft-light-agents";
-
-/// Opens the bus and waits until its link is there; no link: `stop` held first.
-Result<std::optional<bus::Link>> open_link(const Options& options, const RobotId& self, process::Vitals& vitals,
-                                           const std::function<bool()>& stop,
-                                           const std::function<void(const std::string&)>& warn) {
-  bus::BusConfig config;
-  config.role = msg::Role::agent;
-  config.self = self;
-  config.domain = options.domain;
-  config.listen = options.listen;
-  config.servers = options.servers;
-  Result<std::unique_ptr<bus::Bus>> opened = bus::open(options.vendor, config);
-  if (!opened) return fail(opened.error());
-  std::optional<bus::Link> link(std::in_place, std::move(*opened));
-  const auto stopped_waiting = [&] {
-    if (const SteadyTime at = process::steady_now(); vitals.due() <= at) vitals.starting("it waits for its link", at);
-    return stop();
-  };
-  if (!bus::wait_until_open(*link, stopped_waiting, warn)) link.reset();
-  return link;
-}
 
 Result<std::unique_ptr<TrueBody>> make_body(const Options& options,
                                             const std::shared_ptr<const simulation::Site>& site, std::size_t number) {
@@ -91,7 +70,11 @@ Result<void> run_robot(const Options& options, const std::shared_ptr<const simul
   if (!records) return fail(records.error());
   const Result<std::unique_ptr<TrueBody>> body = make_body(options, site, number);
   if (!body) return fail(body.error());
-  Result<std::optional<bus::Link>> link = open_link(options, *self, vitals, stop, warn);
+  const auto stopped_waiting = [&] {
+    if (const SteadyTime at = process::steady_now(); vitals.due() <= at) vitals.starting("it waits for its link", at);
+    return stop();
+  };
+  Result<std::optional<bus::Link>> link = open_link(options, *self, stopped_waiting, warn);
   if (!link) return fail(link.error());
   if (!link->has_value()) return {};
 

@@ -17,17 +17,16 @@ def killed_again(fleet, before, when):
 
 def run(bench):
     fleet = bench.taught()
-    number, known = epoch(fleet), len(fleet.goals())
+    number, known = epoch(fleet), set(fleet.goals())
 
     # Before the answer: the command repeats its request until it has one.
     fleet.kill_server()
     command = fleet.begin('goal', 'send', '--to', 'station-1')
     fleet.restart_server()
     goal = fleet.finish(command)['goal']
-    more = len([row for row in fleet.goals().values() if row['kind'] == 'drive' or row['to'] == 'station-1']) and len(fleet.goals()) - known
-    asked = [row for row in fleet.goals().values() if row['to'] == 'station-1' and row['id'] == goal]
-    if len(asked) != 1 or more < 1:
-        raise lab.Trouble(f'one request made {len(asked)} goals')
+    made = [row['id'] for row in fleet.goals().values() if row['id'] not in known and row['to'] == 'station-1']
+    if made != [goal]:
+        raise lab.Trouble(f'one request made {len(made)} goals, and told of {goal}')
     number = killed_again(fleet, number, 'before the answer')
 
     # After the answer, before a robot has it or shortly after.

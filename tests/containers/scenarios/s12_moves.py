@@ -1,10 +1,11 @@
-"""The server comes back at another address; server and robots start while their link is down; a robot's twin arrives."""
+"""The server comes back at another address; server and robots start while their link is down; a newcomer of the
+next protocol and a robot's twin arrive."""
 import shutil
 
 import fleet as fleets
 import lab
 
-TITLE, SECONDS = 'another address, links that come late, a twin', 120
+TITLE, SECONDS = 'another address, links that come late, a newer protocol, a twin', 150
 ELSEWHERE = 12
 
 
@@ -38,6 +39,12 @@ def run(bench):
     fleet.wait_heard(fleet.names)
     fleet.localise(['r5', 'r6'])
 
+    fleet.start_newcomer('r8', 2)                                    # of the next protocol: named, and no robot
+    lab.wait_until('the newcomer to be named', lambda: 'update this side' in (fleet.told('peer.refused') or ''), 30)
+    fleet.lab.remove('r8')
+    if 'r8' in fleet.robots():
+        raise lab.Trouble('who speaks another protocol is listed as a robot')
+
     twin = fleet.lab.folder('state', 'r9') / 'r9'
     shutil.copytree(lab.ROOT / 'state' / 'r4' / 'r4', twin, ignore=shutil.ignore_patterns('health', 'lock', 'spool'))
     lab.run('chown', '-R', str(lab.USER), twin)
@@ -45,5 +52,5 @@ def run(bench):
     lab.wait_until('the twins to be told of', lambda: fleet.events('robot.twins') > 0, 30)
     fleet.lab.remove('r9')
     lab.wait_until('the twin to be forgotten', lambda: fleet.events('robot.twins_ended') > 0, 40)
-    fleet.weft('resume', 'r4')
+    lab.wait_until('r4 to be let go on', lambda: fleet.weft('resume', 'r4', good=None) is not None, 20, every=0.5)
     fleet.succeed([fleet.send(2, 'r1'), fleet.send(6, 'r3')], 60)
