@@ -16,7 +16,7 @@ TEST(Alarms, EachKindHasItsTexts) {
     EXPECT_TRUE(names.insert(text.name).second) << text.name;
     EXPECT_FALSE(std::string(text.cause).empty() || std::string(text.cure).empty()) << text.name;
   }
-  EXPECT_EQ(alarm_texts().size(), static_cast<std::size_t>(AlarmKind::unjoined)) << "the last one";
+  EXPECT_EQ(alarm_texts().size(), static_cast<std::size_t>(AlarmKind::deaf)) << "the last one";
 }
 
 TEST(Alarms, OperatingRepeatsEachOfThem) {
