@@ -34,8 +34,7 @@ Site site_before_a_wall() {
 }
 
 StereoPair seen_from(const Site& site) {
-  Site lit = site;
-  auto body = make_sim_body(config_of(lit));
+  auto body = make_sim_body(config_of(site));
   EXPECT_TRUE(body);
   for (int i = 0; i < 20; ++i) {
     const Result<Sample> sample = (*body)->step({});
