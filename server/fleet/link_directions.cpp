@@ -7,9 +7,9 @@ namespace {
 
 /// Bounds from below the silences of which it is told which direction was dead.
 constexpr double kShortest_s = 12.0;
-/// Who hears nothing while he is heard, or the other way round, is given up by DDS after 5 s, counted from an
-/// announcement that may be a second old. Of a link that is down both ends know within 3 s of each other: robots that
-/// stand speak every 3 s, servers greet every 2 s.
+/// Tells one dead direction from a link that is down. DDS gives up who has not been heard for 5 s, counted from an
+/// announcement that may be a second old, so that the other direction dies 4 s later at least. Of a link that is down
+/// both ends know within 3 s of each other: robots that stand speak every 3 s, servers greet every 2 s.
 constexpr double kAheadOfTheOther_s = 3.5;
 /// Is for how long a robot has been heard before what it has not heard counts.
 constexpr double kSettled_s = 5.0;
@@ -44,7 +44,7 @@ std::optional<LinkDirections::Told> LinkDirections::hear(const msg::RobotState& 
   }
   // Right after both directions were dead the robot may speak before it has heard anything.
   const bool is_settled = seconds(now - since_) >= kSettled_s;
-  const bool hears_nothing = state.server_unheard_s >= msg::kDeaf_s && is_settled;
+  const bool hears_nothing = state.server_unheard_s >= msg::kDeaf_s && (is_settled || is_deaf_);
   if (hears_nothing == is_deaf_) return std::nullopt;
   is_deaf_ = hears_nothing;
   if (!hears_nothing) return Told{"robot.hears", "it hears the server again"};

@@ -8,9 +8,9 @@
 namespace weft::server {
 
 /// Tells which direction of a robot's link is dead, from what both of its ends have heard: what is cut one way alone
-/// (a firewall, a route, an access point) is looked for elsewhere than a link that is down. DDS gives up
-/// who has not been heard for 5 s, so that one dead direction makes the other one silent soon: of a robot that is not
-/// heard it is told afterwards who of the two heard nothing first.
+/// (a firewall, a route, an access point) is looked for elsewhere than a link that is down. DDS gives up who has not
+/// been heard for 5 s, so that one dead direction makes the other one silent soon: of a robot that is not heard it is
+/// told afterwards who of the two heard nothing first.
 class LinkDirections {
  public:
   /// Holds what an event says.

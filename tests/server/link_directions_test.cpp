@@ -39,6 +39,10 @@ TEST_F(LinkDirectionsTest, ARobotThatIsHeardAndHearsNothingIsDeaf) {
   ASSERT_THAT(site.events_of("robot.deaf"), SizeIs(1));
   EXPECT_THAT(site.events_of("robot.deaf").front(), HasSubstr("from the server to the robot is dead"));
   EXPECT_TRUE(site.row("r1").is_deaf);
+  site.service().was_away(2s, site.now);  // has stood still
+  speak(1s, 6.0);
+  EXPECT_TRUE(site.row("r1").is_deaf) << "a server that was away does not make it hear";
+  EXPECT_THAT(site.events_of("robot.hears"), IsEmpty());
   speak(1s, 0.0, true);
   EXPECT_THAT(site.events_of("robot.hears"), SizeIs(1));
   EXPECT_FALSE(site.row("r1").is_deaf);
