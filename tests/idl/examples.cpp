@@ -203,6 +203,8 @@ msg::QueryReply query_reply() {
                   "anna",
                   "hall",
                   {3.5, -2.25, 0.75},
+                  true,
+                  true,
                   true}};
   made.goals = {goal()};
   made.routes = {route()};
