@@ -1,5 +1,5 @@
 // For people: draws a site with lines from above (site.png), and what a robot sees while it is led along the first
-// one (frame-NNNN.png); and 2.6 m of the floor from above, about where it starts (floor.png).
+// one (frame-NNNN.png, of a pair both images); and 2.6 m of the floor from above, about where it starts (floor.png).
 // Usage: sim-look SITE.toml ROBOT OUT_DIR LINE... [--floors DIR] [--every N] [--kind K] [--light L] [--wear W]
 #include <cairo/cairo.h>
 
@@ -125,6 +125,18 @@ void draw_floor(const sim::FloorSource& floor, const SitePoint& about, const std
                         {images::Shades::grey, picture.cols, picture.rows, {picture.datastart, picture.dataend}});
 }
 
+/// Returns what a view shows; a pair's images side by side, the left one on the left.
+cv::Mat picture_of(const View& view) {
+  const auto mat = [](const Image& image) {
+    return cv::Mat(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels->data())).clone();
+  };
+  if (const auto* const image = std::get_if<Image>(&view.data)) return mat(*image);
+  const auto& pair = std::get<StereoPair>(view.data);
+  cv::Mat both;
+  cv::hconcat(mat(pair.left), mat(pair.right), both);
+  return both;
+}
+
 struct Options {
   std::optional<std::string> floors, kind, light, wear;
   int every = 60;
@@ -174,10 +186,11 @@ int look(const std::vector<std::string>& words, const Options& options) {
     }
     done = sample->hand_done;
     if (!sample->views.empty() && (sample->frame % static_cast<std::uint64_t>(options.every) == 1 || done)) {
-      const Image& image = std::get<Image>(sample->views.front().data);
+      const cv::Mat image = picture_of(sample->views.front());
       char name[40];
       std::snprintf(name, sizeof name, "/frame-%04d.png", static_cast<int>(sample->frame));
-      weft::test::write_png(words[2] + name, {images::Shades::grey, image.width, image.height, *image.pixels});
+      weft::test::write_png(words[2] + name,
+                            {images::Shades::grey, image.cols, image.rows, {image.datastart, image.dataend}});
     }
     if (done) {
       std::printf("%.1f s, %llu frames\n", seconds(sample->time.time_since_epoch()),
