@@ -22,6 +22,15 @@ std::string points(const simulation::Site& site, const simulation::Lesson& lesso
   return rows;
 }
 
+/// Returns where a robot stands at first, if its line begins elsewhere: in a siding.
+std::string standing(const simulation::Site& site, const simulation::Lesson& lesson) {
+  constexpr double kThere_m = 0.1;
+  const Pose2 stands = site.pose(lesson.from_m, {});
+  const agents::SitePoint first = site.line(lesson.from_m, lesson.to_m, lesson.through).front();
+  if (std::hypot(first.x - stands.x, first.y - stands.y) < kThere_m) return {};
+  return std::to_string(stands.x) + " " + std::to_string(stands.y) + "\n";
+}
+
 std::string line_of(const simulation::Site& site, std::size_t robot, std::size_t fleet) {
   const double from = site.course().start_m(robot, fleet);
   simulation::Lesson lesson = site.course().lesson(robot % kTeachers, kTeachers);
@@ -30,7 +39,7 @@ std::string line_of(const simulation::Site& site, std::size_t robot, std::size_t
   std::vector<std::pair<double, std::size_t>> stops;
   for (const std::size_t station : lesson.through) stops.emplace_back(until(site, lesson, station), station);
   std::sort(stops.begin(), stops.end());
-  std::string text;
+  std::string text = standing(site, lesson);
   for (const auto& [at, station] : stops) {
     text += points(site, lesson, lesson.from_m, at) + "# label station-" + std::to_string(station) + "\n";
     lesson.from_m = at;
