@@ -150,4 +150,9 @@ Result<Ports> own_ports(const BusConfig& config, const std::string& listen) {
   return Ports{discovery.port(), data.port()};
 }
 
+bool is_bound(const Addresses& at) {
+  UdpSocket probe;
+  return probe.bind_to(at.listen, at.own.discovery) == EADDRINUSE;
+}
+
 }  // namespace weft::bus

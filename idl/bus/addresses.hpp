@@ -39,5 +39,7 @@ Result<std::string> ipv4_of(const std::string& host);
 Result<std::vector<ServerAddress>> server_addresses(const BusConfig& config);
 /// Returns this process's ports. unavailable: the server's is in use or the address cannot be bound; says what to do.
 Result<Ports> own_ports(const BusConfig& config, const std::string& listen);
+/// Returns whether a socket is bound to the port that others are told to discover this process at.
+bool is_bound(const Addresses& at);
 
 }  // namespace weft::bus

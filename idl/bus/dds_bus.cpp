@@ -77,6 +77,12 @@ Result<void> DdsBus::join(const std::string& listen) {
   }
   const Addresses at{listen, *own, *servers_};
   Result<std::unique_ptr<Participant>> participant = join_(at, inbox_);
+  // An interface that fails meanwhile is no error of who starts this: it is waited for.
+  const LocalLink link = local_link(config_.listen).value_or(LocalLink{});
+  if (participant ? !(*participant)->is_bound() : !link.carries) {
+    keeping_.failed(steady(), listen + " lost its carrier or its address while the link was opened");
+    return {};
+  }
   if (!participant) return fail(std::move(participant.error()));
   {
     const std::lock_guard lock(mutex_);

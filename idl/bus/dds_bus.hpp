@@ -36,6 +36,7 @@ class DdsBus final : public Bus {
   std::vector<std::string> drain_notices() override;
 
  private:
+  /// Opens a participant. A link that fails meanwhile is no error: the keeper tries again.
   Result<void> join(const std::string& listen);
   void leave();
   void keep(const std::stop_token& stop);

@@ -22,6 +22,8 @@ class Participant {
   /// Does the same for each peer that has had no reader for `kReaderless`: what is kept for clients that are gone
   /// would make every later one dearer.
   virtual void forget_readerless(SteadyTime now) = 0;
+  /// Returns whether it can be reached. Not where the interface failed while it was made, which it does not mend.
+  virtual bool is_bound() const = 0;
   /// Returns how many peers it has the means to write to.
   virtual std::size_t peers() const = 0;
 };

@@ -64,6 +64,7 @@ class CycloneParticipant final : public Participant {
   Result<void> write(const Topic& topic, const PeerId& to, ByteView cdr) override;
   void forget(const PeerId& peer) override;
   void forget_readerless(SteadyTime now) override;
+  bool is_bound() const override { return true; }  // does not look at carriers
   std::size_t peers() const override { return peers_.size(); }
 
  private:

@@ -15,6 +15,7 @@
 
 #include "idl/bus/backends.hpp"
 #include "idl/bus/fastdds/bytes_type.hpp"
+#include "idl/bus/fastdds/diagnostics.hpp"
 #include "idl/bus/fastdds/qos.hpp"
 #include "idl/bus/inbox.hpp"
 #include "idl/bus/padding.hpp"
@@ -45,17 +46,19 @@ class Listener final : public dds::DataReaderListener {
 
 class FastParticipant final : public Participant {
  public:
-  FastParticipant(const BusConfig& config, TopicTable table, Inbox& inbox)
-      : role_(config.role), table_(table.begin(), table.end()), inbox_(inbox) {}
+  FastParticipant(const BusConfig& config, TopicTable table, Addresses at, Inbox& inbox)
+      : role_(config.role), at_(std::move(at)), table_(table.begin(), table.end()), inbox_(inbox) {}
   ~FastParticipant() override;
   FastParticipant(const FastParticipant&) = delete;
   FastParticipant& operator=(const FastParticipant&) = delete;
 
-  Result<void> start(const BusConfig& config, const Addresses& addresses);
+  Result<void> start(const BusConfig& config);
 
   Result<void> write(const Topic& topic, const PeerId& to, ByteView cdr) override;
   void forget(const PeerId& peer) override;
   void forget_readerless(SteadyTime now) override;
+  /// Fast DDS leaves out an interface that has no carrier at that moment, and has no socket then.
+  bool is_bound() const override { return bus::is_bound(at_); }
   std::size_t peers() const override { return peers_.size(); }
 
  private:
@@ -74,6 +77,7 @@ class FastParticipant final : public Participant {
   void announce_anew();
 
   const msg::Role role_;
+  const Addresses at_;
   const std::vector<Topic> table_;
   Inbox& inbox_;
   std::vector<std::unique_ptr<Listener>> listeners_;
@@ -96,11 +100,11 @@ FastParticipant::~FastParticipant() {
   dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }
 
-Result<void> FastParticipant::start(const BusConfig& config, const Addresses& addresses) {
+Result<void> FastParticipant::start(const BusConfig& config) {
   auto* const factory = dds::DomainParticipantFactory::get_instance();
-  participant_ = factory->create_participant(config.domain, participant_qos(config, addresses), nullptr,
-                                             dds::StatusMask::none());
-  if (participant_ == nullptr) return refused("a participant on " + addresses.listen);
+  participant_ =
+      factory->create_participant(config.domain, participant_qos(config, at_), nullptr, dds::StatusMask::none());
+  if (participant_ == nullptr) return refused("a participant on " + at_.listen);
   publisher_ = participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT);
   dds::SubscriberQos own_partition = dds::SUBSCRIBER_QOS_DEFAULT;
   own_partition.partition().push_back(to_string(config.self).c_str());
@@ -222,8 +226,9 @@ std::string fastdds_version() {
 
 Result<std::unique_ptr<Participant>> join_fastdds(const BusConfig& config, TopicTable table, const Addresses& at,
                                                   Inbox& inbox) {
-  auto participant = std::make_unique<fastdds::FastParticipant>(config, table, inbox);
-  if (Result<void> started = participant->start(config, at); !started) return fail(std::move(started.error()));
+  fastdds::write_diagnostics_to_stderr();
+  auto participant = std::make_unique<fastdds::FastParticipant>(config, table, at, inbox);
+  if (Result<void> started = participant->start(config); !started) return fail(std::move(started.error()));
   return participant;
 }
 

@@ -16,6 +16,9 @@ struct Head {
   std::uint32_t size;
 };
 
+/// Bounds a frame: more is no frame but something else that was written to the pipe.
+constexpr std::uint32_t kMostBytes = 256U << 20;
+
 bool write_all(int fd, const void* data, std::size_t size) {
   const auto* at = static_cast<const char*>(data);
   while (size > 0) {
@@ -50,7 +53,7 @@ bool write_frame(int fd, const Frame& frame) {
 
 std::optional<Frame> read_frame(int fd) {
   Head head{};
-  if (!read_all(fd, &head, sizeof head)) return std::nullopt;
+  if (!read_all(fd, &head, sizeof head) || head.size > kMostBytes) return std::nullopt;
   Frame frame{static_cast<Op>(head.op), head.number, {}, Bytes(head.size)};
   std::memcpy(frame.peer.bytes.data(), head.peer, sizeof head.peer);
   if (!read_all(fd, frame.bytes.data(), frame.bytes.size())) return std::nullopt;
