@@ -79,6 +79,43 @@ TEST_F(PlannerTest, NobodyIsLedUpToWhereADeadRobotHoldsAnything) {
   }
 }
 
+/// Arranges an aisle that is driven both ways, with a loop off it that comes back to where it begins: one that wants
+/// to the aisle's far end, and an idle one in there that faces it.
+struct LoopTest : PlannerTest {
+  LoopTest() {
+    const std::uint64_t east = site.teach(Lane({}).ahead(90.0));
+    const std::uint64_t west = site.teach(Lane({20.0, 0.0, std::numbers::pi}).ahead(90.0));
+    const double half_m = 4.0 * std::numbers::pi;
+    loop =
+        site.teach(Lane({10.0, 0.0, 0.0}).bend(std::numbers::pi, half_m).ahead(10.0).bend(std::numbers::pi, half_m));
+    site.stitch(SurveyedSite::place(east, 80), SurveyedSite::place(west, 0));
+    site.stitch(SurveyedSite::place(east, 40), SurveyedSite::place(loop, 0));
+    site.stitch(SurveyedSite::place(loop, site.places(loop) - 1), SurveyedSite::place(east, 0));
+    lay_out();
+    requests.front().held = {SurveyedSite::place(east, 20)};
+    requests.front().goal = SurveyedSite::place(east, 120);
+    requests.push_back(requests.front());
+    requests.back().robot = RobotId{2, 2};
+    requests.back().held = {SurveyedSite::place(west, 0)};
+    requests.back().goal.reset();
+  }
+
+  std::uint64_t loop = 0;
+  Planner planner{proximity, {.steps = 10, .handling = 5}};
+};
+
+TEST_F(LoopTest, WhoWasLedOffForAnIdleRobotDoesNotFindItThereAgain) {
+  const auto plan = [&] { return planner.plan({shared(site.network()), &rules}, 0.3, requests); };
+  ASSERT_TRUE(plan());
+  // It has driven off into the loop before the idle one was given its way: no step of the next plan comes back there.
+  requests.front().held = {SurveyedSite::place(loop, 20)};
+  ASSERT_TRUE(plan());
+  EXPECT_GT(planner.order().moves(1).size(), 0U) << "it would be found there at each round";
+  requests.front().goal = SurveyedSite::place(loop, 80);
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(planner.order().moves(1).size(), 0U) << "nobody wants to go by any more";
+}
+
 /// Arranges a dead robot in an aisle that branches off a lane, one before its mouth that would go by it, and one that
 /// comes behind that along the lane.
 struct CutOffTest : PlannerTest {

@@ -29,6 +29,7 @@ struct PlanRobot {
   bool is_gridlocked = false;             ///< as others are; it may move though some of these cannot get away then
   std::uint8_t priority = 0;              ///< the larger, the more urgent
   double waits_s = 0.0;                   ///< since its goal was asked for
+  std::optional<Meeting> sent_on;         ///< it has nothing to do, and was found to keep that one from going there
 };
 
 /// Describes one drive from a berth to the next, begun in that step of the plan.
@@ -48,6 +49,7 @@ struct PlanRules {
 struct MovePlan {
   std::vector<std::vector<PlannedMove>> moves;
   std::vector<std::vector<std::uint32_t>> kept_by;  ///< of each, the robots that keep it where it stands at first
+  std::vector<std::optional<Meeting>> sent_on;      ///< of each, whom it was found to keep from where, at last
   std::uint64_t pushes = 0;                         ///< robots that were asked to make way
   std::uint64_t asked_several = 0;                  ///< of these, together with others: there PIBT gives no guarantee
 };

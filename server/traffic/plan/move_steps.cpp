@@ -28,6 +28,7 @@ MoveSteps::MoveSteps(BerthGraph& graph, Pockets& pockets, Lanes& lanes, const st
     meetings_.add(robots[i].at, robots[i].methods);
     safe_.add({robots[i].at, robots[i].methods}, robots[i].is_gridlocked);
     states_[i].handles = robots[i].handles;
+    states_[i].sent_on = robots[i].sent_on;
     states_[i].drives = static_cast<std::uint32_t>(robots[i].behind.size());
     if (robots[i].at == kNoBerth) continue;
     if (is_at_goal(i)) arrive(i, states_[i].drives + rules_.handling);
@@ -50,7 +51,10 @@ bool MoveSteps::work(std::uint64_t most) {
 }
 
 MovePlan MoveSteps::take() {
-  for (RobotInStep& state : states_) plan_.kept_by.push_back(std::move(state.kept_by));
+  for (RobotInStep& state : states_) {
+    plan_.kept_by.push_back(std::move(state.kept_by));
+    plan_.sent_on.push_back(state.sent_on);
+  }
   return std::move(plan_);
 }
 

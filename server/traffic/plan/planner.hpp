@@ -117,6 +117,8 @@ class Planner {
   void move_on(std::uint64_t most);
   bool plans_anew(const MovePlan& plan);
   void end_with(MovePlan plan);
+  void send_on_as_before();
+  void note_sent_on(const MovePlan& plan);
   bool has_searched(const PlanRequest& request);
 
   bool plan_nothing(std::size_t robots);
@@ -143,6 +145,13 @@ class Planner {
   std::vector<std::uint32_t> methods_;  ///< of each robot of the plan
   std::uint32_t moving_ = 0;            ///< robots that have a goal
   std::set<Key> used_;
+  /// Names whom a robot without a goal was found to keep from going where, by the plan before: that one may have been
+  /// led off by now, to where no plan finds it kept before it has come back.
+  struct SentOn {
+    RobotId kept;
+    PlaceId to;
+  };
+  std::map<RobotId, SentOn> sent_on_;
   std::map<RobotId, PlaceId> guides_;
   std::uint64_t pushes_ = 0;
   std::uint64_t asked_several_ = 0;

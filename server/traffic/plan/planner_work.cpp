@@ -103,8 +103,40 @@ void Planner::cut_off_next() {
     if (robot.goal != nullptr) cut_off_by_[next] = cut_off_by(making_->requests[next], robot);
     return;
   }
+  send_on_as_before();
   making_->steps.emplace(berths_, pockets_, lanes_, making_->robots, rules_);
   making_->part = Making::Part::move;
+}
+
+/// Has robots make way that the plan before found to keep others, where these still have to come by.
+void Planner::send_on_as_before() {
+  if (sent_on_.empty()) return;
+  std::map<RobotId, std::uint32_t> numbers;
+  for (const PlanRequest& request : making_->requests) {
+    numbers.emplace(request.robot, static_cast<std::uint32_t>(numbers.size()));
+  }
+  for (std::uint32_t robot = 0; robot < making_->robots.size(); ++robot) {
+    const auto sent = sent_on_.find(making_->requests[robot].robot);
+    if (sent == sent_on_.end() || making_->requests[robot].goal) continue;
+    const auto& [kept, to] = sent->second;
+    const auto number = numbers.find(kept);
+    if (number == numbers.end() || making_->robots[number->second].goal == nullptr) continue;
+    const bool is_berth = berths_.has(to) && (berths_.is_cut(to) || to == making_->requests[number->second].goal);
+    if (!is_berth) continue;
+    const PlanRobot& other = making_->robots[number->second];
+    const Meeting meeting{number->second, berths_.at(to)};
+    if (other.goal->from_m(meeting.to) < other.goal->from_m(other.at)) making_->robots[robot].sent_on = meeting;
+  }
+}
+
+/// Remembers whom robots without a goal keep, for the next plan.
+void Planner::note_sent_on(const MovePlan& plan) {
+  sent_on_.clear();
+  for (std::size_t robot = 0; robot < plan.sent_on.size(); ++robot) {
+    const std::optional<Meeting>& meeting = plan.sent_on[robot];
+    if (!meeting || making_->requests[robot].goal) continue;
+    sent_on_[making_->requests[robot].robot] = {making_->requests[meeting->robot].robot, berths_.place(meeting->to)};
+  }
 }
 
 void Planner::move_on(std::uint64_t most) {
@@ -148,6 +180,7 @@ bool Planner::plans_anew(const MovePlan& plan) {
 void Planner::end_with(MovePlan plan) {
   pushes_ += plan.pushes;
   asked_several_ += plan.asked_several;
+  note_sent_on(plan);
   order_ = PlanOrder(std::move(plan));
   released_.emplace(berths_, lanes_);
   for (const PlanRobot& robot : making_->robots) released_->add({robot.at, robot.methods}, robot.is_gridlocked);
