@@ -21,6 +21,7 @@ class Bench:
         self.say, self.build, self.numbers = say, build, {}
         self.lab, self.fleet, self.records = None, None, None
         self.ended, self.files, self.restarts = {}, {}, {}
+        self.unknown = set()                     # robots that speak under another one's identity: where they stand nobody is told
         self.may_end = False                     # programs that a scenario attacks may end, and are started anew
 
     def open_lab(self):
@@ -72,7 +73,7 @@ class Bench:
         self.ended = {goal: row['state'] for goal, row in rows.items() if row['state'] in network.OVER}
         beyond, on_routes = network.released(records, records.true_places(names), since)
         moving, standing = network.stands(records, since)
-        touching, least = network.apart(records, since)
+        touching, least = network.apart(records, since, self.unknown)
         broken += [f'A3: {what}' for what in beyond] + [f'A4: {what}' for what in moving] + [f'A5: {what}' for what in touching]
         broken += [f'A6: {what}' for what in self.windows()] + [f'A7: {what}' for what in self.processes()]
         nearest = f', robots never nearer than {least:.2f} m' if math.isfinite(least) else ''

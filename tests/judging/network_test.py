@@ -96,6 +96,7 @@ class Network(unittest.TestCase):
         files = sound()
         files['truth-r2.jsonl'] = [truth('r2', f, 3.0, 0.7, speed=0.0) for f in range(0, 400, 20)]
         self.assertTrue(network.apart(read(files))[0])
+        self.assertEqual(network.apart(read(files), unknown={'r2'})[0], [], 'nobody can keep off one that is not known')
 
     def test_goals_that_vanish_change_or_stay_are_seen(self):
         listed = [dict(id='a', state='succeeded'), dict(id='b', state='executing')]

@@ -48,6 +48,7 @@ def run(bench):
     twin = fleet.lab.folder('state', 'r9') / 'r9'
     shutil.copytree(lab.ROOT / 'state' / 'r4' / 'r4', twin, ignore=shutil.ignore_patterns('health', 'lock', 'spool'))
     lab.run('chown', '-R', str(lab.USER), twin)
+    bench.unknown.add('r9')
     fleet.start_robot('r9')
     lab.wait_until('the twins to be told of', lambda: fleet.events('robot.twins') > 0, 30)
     fleet.lab.remove('r9')
