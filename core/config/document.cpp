@@ -33,12 +33,22 @@ void Table::Document::set(const std::string& path, std::string value, bool is_de
   if (std::none_of(settings.begin(), settings.end(), same)) settings.push_back({path, std::move(value), is_default});
 }
 
+std::string Table::Document::known(const std::string& path) const {
+  const std::string before = path.empty() ? "" : path + ".";
+  std::string names;
+  for (auto each = asked.lower_bound(before); each != asked.end() && each->starts_with(before); ++each) {
+    const std::string name = each->substr(before.size());
+    if (is_bare(name)) names += (names.empty() ? "" : ", ") + name;
+  }
+  return names.empty() ? "" : "there are " + names + ": ";
+}
+
 void Table::Document::find_unknown(const toml::table& table, const std::string& path,
                                    std::vector<Issue>& found) const {
   for (const auto& [key, node] : table) {
     const std::string name = join_path(path, key.str());
     if (!asked.contains(name)) {
-      found.push_back({line_of(node), name + ": unknown key; correct its spelling or remove it"});
+      found.push_back({line_of(node), name + ": unknown key; " + known(path) + "correct its spelling or remove it"});
     } else if (const toml::table* const inner = node.as_table()) {
       find_unknown(*inner, name, found);
     } else if (const toml::array* const entries = node.as_array()) {

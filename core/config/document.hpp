@@ -27,6 +27,8 @@ struct Table::Document {
   /// Notes that the key is known; a setting is listed once.
   void ask(const std::string& path) { asked.insert(path); }
   void set(const std::string& path, std::string value, bool is_default);
+  /// Returns the keys that were asked for in the table at `path`, in words; empty where there are none.
+  std::string known(const std::string& path) const;
   /// Finds the keys of `table` and below that nobody asked for.
   void find_unknown(const toml::table& table, const std::string& path, std::vector<Issue>& found) const;
 };

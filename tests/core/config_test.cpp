@@ -64,13 +64,15 @@ TEST(Config, EveryIssueIsNamedWithFileLineKeyValueAndBound) {
   root.choice("dds", "fastdds", {"fastdds", "cyclonedds"});
   root.numbers("size", required, 2, 2, 0.0, 1.0);
   root.number("must", required, -1.0, 1.0);
-  EXPECT_THAT(root.issues(),
-              ElementsAre("dir/a.toml:1: speed = 9.5: must be in [0, 2]",
-                          "dir/a.toml:1: must: is missing; it has no default, write it",
-                          "dir/a.toml:2: count = 1.5: must be a whole number in [0, 10]",
-                          "dir/a.toml:3: on = 1: must be true or false", HasSubstr("dir/a.toml:4: name = "),
-                          HasSubstr("dir/a.toml:5: dds = "), HasSubstr("dir/a.toml:6: size = "),
-                          "dir/a.toml:7: typo: unknown key; correct its spelling or remove it"));
+  EXPECT_THAT(
+      root.issues(),
+      ElementsAre("dir/a.toml:1: speed = 9.5: must be in [0, 2]",
+                  "dir/a.toml:1: must: is missing; it has no default, write it",
+                  "dir/a.toml:2: count = 1.5: must be a whole number in [0, 10]",
+                  "dir/a.toml:3: on = 1: must be true or false", HasSubstr("dir/a.toml:4: name = "),
+                  HasSubstr("dir/a.toml:5: dds = "), HasSubstr("dir/a.toml:6: size = "),
+                  "dir/a.toml:7: typo: unknown key; there are count, dds, must, name, on, size, speed: correct its "
+                  "spelling or remove it"));
   const Result<void> result = root.result();
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::invalid);
@@ -98,6 +100,19 @@ TEST(Config, UnknownKeysAreFoundInTablesAndTheirArrays) {
   EXPECT_THAT(root.issues(),
               ElementsAre(HasSubstr("a.toml:3: known.unused: unknown"), HasSubstr("a.toml:4: other: unknown"),
                           HasSubstr("a.toml:8: walls[0].y: unknown")));
+}
+
+TEST(Config, AnUnknownKeyIsToldWhichKeysItsTableHas) {
+  const Table root = parse("[a]\n\"x y\" = 1\nz = 2\n[b]\nc = 1\n[[walls]]\nhieght = 1\n", "a.toml");
+  const Table a = root.table("a");
+  a.integer("x y", 0, 0, 9);
+  a.integer("size", 0, 0, 9);
+  a.table("deep").integer("deeper", 0, 0, 9);
+  root.table("b");
+  root.tables("walls", 0, 9).at(0).integer("height", 0, 0, 9);
+  EXPECT_THAT(root.issues(), ElementsAre(HasSubstr("a.z: unknown key; there are deep, size: correct"),
+                                         HasSubstr("b.c: unknown key; correct its spelling"),
+                                         HasSubstr("walls[0].hieght: unknown key; there are height: correct")));
 }
 
 TEST(Config, ARequiredKeyIsMissedAtItsTablesLine) {
