@@ -6,6 +6,7 @@
 
 #include "clients/evaluate/generate/generate.hpp"
 #include "clients/evaluate/invocation.hpp"
+#include "core/exit_code.hpp"
 #include "core/text.hpp"
 #include "storage/sqlite/sqlite_store.hpp"
 
@@ -31,7 +32,7 @@ double thread_cpu_s() {
 
 int failed(const Error& error) {
   std::cerr << "weft-evaluate: " << one_line(error.message) << '\n';
-  return 1;
+  return exit_code_of(error.code);
 }
 
 int run(const evaluate::GenerateOptions& options) {

@@ -1,19 +1,17 @@
 #include "server/process/options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 #include <utility>
 
+#include "core/exit_code.hpp"
 #include "core/text.hpp"
+#include "process/settings_file.hpp"
+#include "server/dispatcher/charge.hpp"
 
 namespace weft::server {
 namespace {
-
-constexpr int kFailed = 1;
-constexpr int kUsage = 2;
 
 /// Holds settings as given on the command line; none: not given.
 struct Flags {
@@ -29,7 +27,7 @@ void declare(CLI::App& app, Flags& flags) {
   app.footer(
       "Runs until SIGINT or SIGTERM; logs to standard error. Example: weft-server --store map\n"
       "Exit codes: 0 stopped by a signal, or healthy; 1 cannot work, or not healthy (one line says why); 2 wrong "
-      "usage");
+      "usage or settings");
   app.add_option("--config", flags.config, "TOML file with any of the settings below (store = \"DIR\", ...)");
   app.add_option("--store", flags.store, "Directory of the map; made if it is not there. Required here or in FILE");
   app.add_option("--dds", flags.dds, "fastdds | cyclonedds [fastdds]");
@@ -64,14 +62,6 @@ std::string toml_value(const T& value) {
     text << value;
   }
   return text.str();
-}
-
-/// Returns the file's settings as TOML text, the flags' put over them: bounds are stated once, for both.
-Result<std::string> merged(const Flags& flags) {
-  if (flags.config.empty()) return std::string();
-  std::ifstream in(flags.config, std::ios::binary);
-  if (!in) return fail(ErrorCode::unavailable, "cannot read the configuration " + flags.config);
-  return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
 template <class T>
@@ -132,8 +122,8 @@ void override_with(Options& options, const Options& given, const Flags& flags) {
   }
 }
 
-Leave failed(const Error& error, int exit_code) {
-  return {.exit_code = exit_code, .text = "weft-server: " + one_line(error.message) + "\n"};
+Leave wrong(const Error& error) {
+  return {.exit_code = kWrong, .text = "weft-server: " + one_line(error.message) + "\n"};
 }
 
 }  // namespace
@@ -149,14 +139,17 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion&) {
     return Leave{.exit_code = 0, .text = app.version() + "\n"};
   } catch (const CLI::ParseError& error) {
-    return Leave{.exit_code = kUsage,
+    return Leave{.exit_code = kWrong,
                  .text = "weft-server: " + one_line(error.what()) + "; weft-server --help lists the flags\n"};
   }
-  const Result<std::string> file = merged(flags);
-  if (!file) return failed(file.error(), kFailed);
+  const Result<std::string> file = process::read_settings(flags.config);
+  if (!file) return wrong(file.error());
   const config::Table from_file = config::parse(*file, flags.config.empty() ? "configuration" : flags.config);
   Options options = read(from_file);
-  if (const Result<void> good = from_file.result(); !good) return failed(good.error(), kFailed);
+  if (const Result<void> good = from_file.result(); !good) return wrong(good.error());
+  if (const Result<void> good = check(options.charge); !good) {
+    return wrong({good.error().code, flags.config + ": " + good.error().message});
+  }
 
   std::string text;
   lay_over(text, "store", flags.store);
@@ -174,12 +167,11 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   lay_over(text, "metrics", flags.metrics);
   const config::Table from_flags = config::parse(text, "command line");
   const Options given = read(from_flags);
-  if (const Result<void> good = from_flags.result(); !good) return failed(good.error(), kUsage);
+  if (const Result<void> good = from_flags.result(); !good) return wrong(good.error());
   override_with(options, given, flags);
   options.asks_health = flags.asks_health;
   if (options.store.empty()) {
-    return failed({ErrorCode::invalid, "no store is named: --store DIR (or store = \"DIR\" in the configuration)"},
-                  kUsage);
+    return wrong({ErrorCode::invalid, "no store is named: --store DIR (or store = \"DIR\" in the configuration)"});
   }
   return options;
 }

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -124,11 +125,21 @@ TEST_F(ServerProcess, WrongUsageIsExitTwo) {
 TEST_F(ServerProcess, WrongConfigurationNamesTheKey) {
   const std::string file = (directory / "server.toml").string();
   std::ofstream(file) << "domian = 3\n";
-  EXPECT_EQ(run({"--config", file, "--store", directory.string()}), 1);
-  EXPECT_THAT(said, HasSubstr("domian"));
+  EXPECT_EQ(run({"--config", file, "--store", directory.string()}), 2);
+  EXPECT_THAT(said, HasSubstr(file + ":1: domian: unknown key; there are charge_critical_percent, "));
   expect_one_line();
-  EXPECT_EQ(run({"--config", file + ".gone"}), 1);
+  EXPECT_EQ(run({"--config", file + ".gone", "--store", directory.string()}), 2);
+  EXPECT_THAT(said, HasSubstr(file + ".gone: cannot be read"));
   expect_one_line();
+  for (const auto& [wrong, words] : std::map<std::string, std::string>{
+           {"domain = 999\n", ":1: domain = 999: must be in [0, 200]"},
+           {"domain = \n", ":1: no TOML"},
+           {"\ncharge_low_percent = 5\n", ": charge_low_percent is 5; it must be from charge_critical_percent"}}) {
+    std::ofstream(file) << wrong;
+    EXPECT_EQ(run({"--config", file, "--store", directory.string()}), 2);
+    EXPECT_THAT(said, HasSubstr(file + words));
+    expect_one_line();
+  }
 }
 
 TEST_F(ServerProcess, StoreThatCannotBeMadeIsNamed) {

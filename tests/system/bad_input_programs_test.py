@@ -66,6 +66,36 @@ class Flags(Case):
         self.refused(2, ['--seeds', '9..2'], BIN / 'weft-evaluate', 'disturbances', '--seeds', '9..2')
 
 
+class Settings(WithFolder):
+    """What is wrong with settings stays so: exit code 2, after which a service manager starts the program no more."""
+
+    def refuses(self, text, words, *argv):
+        file = self.folder / 'settings.toml'
+        file.write_text(text)
+        self.refused(2, [str(file), *words], *argv, '--config', file)
+
+    def test_each_program_names_file_key_and_what_to_do(self):
+        server = [BIN / 'weft-server', '--store', self.folder / 'store', '--domain', DOMAIN]
+        agent = [BIN / 'weft-agent', '--state', self.folder / 'state', '--recording', self.folder]
+        for program in (server, agent, self.simulated(DEMO)):
+            self.refuses('name = "a"\ndomian = 3\n', [':2: domian: unknown key; there are ', ' domain, '], *program)
+            self.refuses('name = "a"\nmetrics = 65536\n', [':2: metrics = 65536', '65535'], *program)
+            self.refuses('name = "a\n', [':1: no TOML'], *program)
+            for file in (self.folder / 'gone.toml', self.folder):
+                self.refused(2, [f'{file}: cannot be read'], *program, '--config', file)
+
+    def test_files_that_settings_name_are_named(self):
+        site, camera = self.folder / 'site.toml', self.folder / 'camera.yaml'
+        camera.write_text('resolution: [0, 0]\n')
+        agent = [BIN / 'weft-agent-sim', '--state', self.folder / 'state']
+        settings = self.folder / 'agent.toml'
+        for text, words in ((f'site = "{site}"', [str(site), 'no such site']),
+                            (f'site = "{DEMO}"\ncalibration = "{camera}.gone"', [f'{camera}.gone', 'no such camera file']),
+                            (f'site = "{DEMO}"\ncalibration = "{camera}"', [str(camera)])):
+            settings.write_text(f'name = "r1"\n{text}\n')
+            self.refused(2, words, *agent, '--config', settings)
+
+
 class WithoutSimulator(WithFolder):
     def test_flags_of_the_simulator_name_the_program_that_has_it(self):
         says = ['weft-agent: ', 'site', 'no body sim in this program; start weft-agent-sim, with the same words']
@@ -94,11 +124,11 @@ class Sites(WithFolder):
 
     def test_the_agent_names_file_line_and_key(self):
         for site, words in self.sites():
-            self.refused(1, ['weft-agent-sim: ', *words], *self.simulated(site))
+            self.refused(2, ['weft-agent-sim: ', *words], *self.simulated(site))
 
     def test_the_evaluation_names_file_line_and_key(self):
         for site, words in self.sites():
-            self.refused(1, ['weft-evaluate: ', *words],
+            self.refused(2, ['weft-evaluate: ', *words],
                          BIN / 'weft-evaluate', 'disturbances', '--site', site, '--out', self.folder / 'out')
 
 
@@ -131,7 +161,7 @@ class Recordings(WithFolder):
 
     def test_a_calibration_without_focal_length_is_refused(self):
         recording(self.folder, focal=0)
-        self.refused(1, ['weft-agent: ', 'sensor.yaml:', 'focal lengths must be'], *self.replay())
+        self.refused(2, ['weft-agent: ', 'sensor.yaml:', 'focal lengths must be'], *self.replay())
 
 
 class Photographs(WithFolder):
@@ -143,7 +173,7 @@ class Photographs(WithFolder):
         self.refused(1, ['weft-agent-sim: ', 'hall.png', 'begins as no picture'], *self.simulated(DEMO, '--floors', floors))
 
     def test_a_folder_without_photographs_is_named(self):
-        self.refused(1, ['weft-agent-sim: ', str(self.folder), 'no .png or .jpg'], *self.simulated(DEMO, '--floors', self.folder))
+        self.refused(2, ['weft-agent-sim: ', str(self.folder), 'no .png or .jpg'], *self.simulated(DEMO, '--floors', self.folder))
 
 
 class Peers(WithFolder):

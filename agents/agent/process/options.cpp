@@ -3,22 +3,21 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
 #include <utility>
 
 #include "agents/agent/process/recorded_body.hpp"
+#include "core/exit_code.hpp"
+#include "core/names.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/text.hpp"
+#include "idl/bus/addresses.hpp"
+#include "process/settings_file.hpp"
 
 namespace weft::agents {
 namespace {
-
-constexpr int kFailed = 1;
-constexpr int kUsage = 2;
 
 enum class Kind { text, number, list };
 /// Describes a setting that is a flag as well. The key is the flag with '_' for '-'.
@@ -149,8 +148,23 @@ class Sources {
     return static_cast<Integer>(
         pick(key, [&](const config::Table& table) { return table.integer(key, fallback, low, high); }));
   }
-  std::vector<std::string> texts(const char* key, const std::vector<std::string>& fallback) const {
-    return pick(key, [&](const config::Table& table) { return table.texts(key, fallback, 1, 16); });
+  /// Reads where servers are: HOST or HOST:INDEX each.
+  std::vector<std::string> servers() const {
+    return pick("server", [](const config::Table& table) {
+      bus::BusConfig config;
+      config.role = msg::Role::agent;
+      config.servers = table.texts("server", {{"127.0.0.1"}}, 1, 16);
+      if (const Result<void> good = bus::check(config); !good) table.refuse("server", good.error().message);
+      return config.servers;
+    });
+  }
+  std::string name() const {
+    return pick("name", [](const config::Table& table) {
+      const std::string name = table.text("name", "", 4096);
+      if (const Result<void> good = check_name("robot", name); !name.empty() && !good)
+        table.refuse("name", good.error().message);
+      return name;
+    });
   }
   std::optional<std::string> maybe(const char* key) const {
     std::string value = text(key, "");
@@ -203,11 +217,11 @@ class Sources {
 Options read(const Program& program, const Sources& from) {
   constexpr std::int64_t kMost = INT64_MAX;
   Options options;
-  options.name = from.text("name", "");
+  options.name = from.name();
   options.state = from.text("state", "");
   options.methods = from.methods();
   options.body = from.body(program);
-  options.servers = from.texts("server", {"127.0.0.1"});
+  options.servers = from.servers();
   const bool cyclone = from.choice("dds", "fastdds", {"fastdds", "cyclonedds"}) == "cyclonedds";
   options.vendor = cyclone ? bus::Vendor::cyclonedds : bus::Vendor::fastdds;
   options.domain = from.integer<unsigned>("domain", 0, 0, 200);
@@ -241,6 +255,17 @@ Options read(const Program& program, const Sources& from) {
   return options;
 }
 
+/// Returns what contradicts what in how it navigates, by all methods that it uses; empty when nothing does.
+std::string contradiction(const Options& options) {
+  std::vector<Error> wrong = check(options.navigation);
+  AllMethods::for_each([&]<class M>() {
+    if (std::ranges::find(options.methods, M::name) == options.methods.end()) return;
+    const std::vector<Error> own = check(std::get<Configured<M>>(options.settings).navigation);
+    wrong.insert(wrong.end(), own.begin(), own.end());
+  });
+  return wrong.empty() ? std::string() : wrong.front().message;
+}
+
 /// Returns what is missing for the body that was chosen; empty when nothing is.
 std::string missing(const Options& options) {
   if (options.asks_health && !options.state.empty()) return {};
@@ -251,8 +276,8 @@ std::string missing(const Options& options) {
   return {};
 }
 
-Leave wrong(const Program& program, const std::string& message, int exit_code) {
-  return {.exit_code = exit_code, .text = std::string(program.name) + ": " + one_line(message) + "\n"};
+Leave wrong(const Program& program, const std::string& message) {
+  return {.exit_code = kWrong, .text = std::string(program.name) + ": " + one_line(message) + "\n"};
 }
 
 /// Returns an example of a command line, for the help.
@@ -274,7 +299,7 @@ std::variant<Options, Leave> parse_options(const Program& program, int argc, con
       "Runs until SIGINT or SIGTERM; logs to standard error. " + example_of(program) +
       "`weft-agent calibrate --help`: camera and mount are found out, nothing is driven.\n"
       "Exit codes: 0 stopped by a signal, or healthy; 1 cannot work, or not healthy (one line says why); 2 wrong "
-      "usage");
+      "usage or settings");
   std::string file;
   app.add_option("--config", file, "TOML file with any of the settings below, and more (docs/operating.md)");
   std::map<std::string, std::vector<std::string>> given;
@@ -299,25 +324,22 @@ std::variant<Options, Leave> parse_options(const Program& program, int argc, con
   } catch (const CLI::CallForVersion&) {
     return Leave{.exit_code = 0, .text = app.version() + "\n"};
   } catch (const CLI::ParseError& error) {
-    return wrong(program, std::string(error.what()) + "; " + program.name + " --help lists the flags", kUsage);
+    return wrong(program, std::string(error.what()) + "; " + program.name + " --help lists the flags");
   }
-  std::string from_file;
-  if (!file.empty()) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) return wrong(program, file + ": cannot be read; is --config right?", kFailed);
-    from_file.assign(std::istreambuf_iterator<char>(in), {});
-  }
+  const Result<std::string> from_file = process::read_settings(file);
+  if (!from_file) return wrong(program, from_file.error().message);
   std::string from_flags;
   for (const Flag& flag : kFlags) {
     if (!given[flag.key].empty()) from_flags += as_toml(flag, given[flag.key]);
   }
   const config::Table flags = config::parse(from_flags, "command line");
-  const config::Table table = config::parse(from_file, file.empty() ? "configuration" : file);
+  const config::Table table = config::parse(*from_file, file.empty() ? "configuration" : file);
   Options options = read(program, Sources(flags, table));
   options.asks_health = asks_health;
-  if (const Result<void> good = table.result(); !good) return wrong(program, good.error().message, kFailed);
-  if (const Result<void> good = flags.result(); !good) return wrong(program, good.error().message, kUsage);
-  if (const std::string what = missing(options); !what.empty()) return wrong(program, what, kUsage);
+  if (const Result<void> good = table.result(); !good) return wrong(program, good.error().message);
+  if (const Result<void> good = flags.result(); !good) return wrong(program, good.error().message);
+  if (const std::string what = contradiction(options); !what.empty()) return wrong(program, file + ": " + what);
+  if (const std::string what = missing(options); !what.empty()) return wrong(program, what);
   return options;
 }
 

@@ -10,6 +10,7 @@
 #include "agents/agent/process/identity.hpp"
 #include "agents/agent/process/loop.hpp"
 #include "agents/agent/process/records.hpp"
+#include "core/exit_code.hpp"
 #include "process/clocks.hpp"
 #include "process/log.hpp"
 #include "process/metrics/metrics_server.hpp"
@@ -83,6 +84,12 @@ Result<std::unique_ptr<bus::Bus>> open_bus(const Options& options, const RobotId
   return bus::open(options.vendor, config);
 }
 
+/// Returns how its work ended. It has begun, so that no error is one of its settings any more.
+Result<void> after_work(const Result<void>& ended) {
+  if (ended || exit_code_of(ended.error().code) == kFailed) return ended;
+  return fail(ErrorCode::internal, ended.error().message);
+}
+
 }  // namespace
 
 Result<void> run(const Program& program, const Options& options) {
@@ -150,7 +157,7 @@ Result<void> run(const Program& program, const Options& options) {
   const Result<void> ended = loop.until([&stop] { return stop.came(); });
   vitals.stopping();
   log.info("stopped");
-  return ended;
+  return after_work(ended);
 }
 
 }  // namespace weft::agents

@@ -10,6 +10,7 @@
 #include "agents/agent/process/calibrate/jobs.hpp"
 #include "agents/agent/process/options.hpp"
 #include "agents/agent/process/run.hpp"
+#include "core/exit_code.hpp"
 #include "process/health_file.hpp"
 #include "process/log.hpp"
 
@@ -25,10 +26,17 @@ double steady_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-int ended(const Program& program, const Result<void>& ran, process::LogFormat format = process::LogFormat::text) {
+int ended(const Program& program, const Result<void>& ran) {
   if (ran) return 0;
-  process::print_failure(program.name, format, ran.error().message);
-  return 1;
+  process::print_failure(program.name, process::LogFormat::text, ran.error().message);
+  return kFailed;
+}
+
+int drive(const Program& program, const Options& options) {
+  const Result<void> ran = run(program, options);
+  if (ran) return 0;
+  process::print_failure(program.name, options.log_format, ran.error().message);
+  return exit_code_of(ran.error().code);
 }
 
 int calibrate(const Program& program, int argc, const char* const* argv) {
@@ -49,11 +57,11 @@ int run_program(const Program& program, int argc, const char* const* argv) noexc
     if (const auto* const leave = std::get_if<Leave>(&parsed)) return left(*leave);
     const auto& options = std::get<Options>(parsed);
     if (options.asks_health) return process::report_health(program.name, options.state);
-    return ended(program, run(program, options), options.log_format);
+    return drive(program, options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: ended by a defect: %s\n", program.name, error.what());
   }
-  return 1;
+  return kFailed;
 }
 
 }  // namespace weft::agents

@@ -157,13 +157,32 @@ TEST(AgentOptions, MistakesAreUsageInOneLine) {
 
 TEST(AgentOptions, MistakesInTheFileNameItsLine) {
   const Folder folder;
-  expect_left(with({"--config", folder.file("none.toml")}), 1, "none.toml");
-  expect_left(with({"--config", folder.write("a.toml", "colour = 1\n")}), 1, "a.toml:1: colour");
-  expect_left(with({"--config", folder.write("b.toml", "\n[floor]\ncorners = 2\n")}), 1, "b.toml:3: floor.corners");
-  expect_left(with({"--config", folder.write("c.toml", "[navigation.follow]\nspeed_m_s = 9\n")}), 1,
+  expect_left(with({"--config", folder.file("none.toml")}), 2, "none.toml");
+  expect_left(with({"--config", folder.write("a.toml", "colour = 1\n")}), 2,
+              "a.toml:1: colour: unknown key; there are bearing");
+  expect_left(with({"--config", folder.write("b.toml", "\n[floor]\ncorners = 2\n")}), 2, "b.toml:3: floor.corners");
+  expect_left(with({"--config", folder.write("c.toml", "[navigation.follow]\nspeed_m_s = 9\n")}), 2,
               "c.toml:2: navigation.follow.speed_m_s");
-  expect_left(with({"--config", folder.write("d.toml", "[navigation.folow]\nspeed_m_s = 0.5\n")}), 1,
+  expect_left(with({"--config", folder.write("d.toml", "[navigation.folow]\nspeed_m_s = 0.5\n")}), 2,
               "navigation.folow");
+  expect_left(with({"--config", folder.write("e.toml", "server = [\"a\", \"b:many\"]\n")}), 2, "e.toml:1: server");
+  expect_left(with({"--config", folder.write("f.toml", "name = \"r/1\"\n")}), 2, "f.toml:1: name");
+  expect_left(with({"--config", folder.write("g.toml", "name = \n")}), 2, "g.toml:1: no TOML");
+}
+
+TEST(AgentOptions, SettingsThatContradictEachOtherAreNamedWithTheirFile) {
+  const Folder folder;
+  const std::string text = "[navigation.follow]\nsure_m = 3\nblind_limit_m = 2\n";
+  const std::string file = folder.write("a.toml", text);
+  expect_left(with({"--config", file}), 2, "a.toml: navigation: follow.sure_m is 3");
+  const std::string own = folder.write("b.toml", "[bearing." + text.substr(1));
+  expect_left(with({"--config", own, "--method", "bearing"}), 2, "b.toml: navigation: follow.sure_m is 3");
+}
+
+TEST(AgentOptions, TheExampleOfThePackageIsGood) {
+  const auto result = parsed({"--state", "s", "--site", "x", "--config", WEFT_SITES "/../packages/agent.toml"});
+  ASSERT_TRUE(std::holds_alternative<Options>(result)) << std::get<Leave>(result).text;
+  EXPECT_EQ(std::get<Options>(result).servers, std::vector<std::string>{"10.0.0.5"});
 }
 
 TEST(AgentOptions, HelpAndVersion) {
@@ -195,7 +214,7 @@ TEST(AgentOptions, WithoutTheSimulatorItsFlagsNameTheProgramThatHasIt) {
   const Folder folder;
   std::vector<std::string> words = enough;
   words.insert(words.end(), {"--config", folder.write("a.toml", "\nsite = \"x.toml\"\n")});
-  expect_left(words, 1, "a.toml:2: site = 'x.toml': " + said, kRobotsAgent);
+  expect_left(words, 2, "a.toml:2: site = 'x.toml': " + said, kRobotsAgent);
 }
 
 }  // namespace
