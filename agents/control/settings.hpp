@@ -1,15 +1,8 @@
 #pragma once
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "agents/control/tracker.hpp"
+#include "agents/perception/out_of_bounds.hpp"
 
 namespace weft::agents {
-
-/// Says whether a setting may be as low as its low bound.
-enum class Low : std::uint8_t { open, closed };
 
 /// Calls `in(name, value, Low, low, high)` for every setting of the controller, for whoever checks or reads them;
 /// `section(name)` returns the `in` of a part ("": the tracker's own settings).
@@ -37,25 +30,5 @@ void each_control_setting(Config& config, Section&& section) {
   speed("integral_1_s", config.speed.integral_1_s, Low::closed, 0, 5);
   speed("integral_limit_m_s", config.speed.integral_limit_m_s, Low::closed, 0, 0.5);
 }
-
-/// Collects what is out of bounds: "<room>: <part>.<name> is 7; it must be in (0, 2]".
-class OutOfBounds {
- public:
-  explicit OutOfBounds(std::string room) : room_(std::move(room)) {}
-  auto section(const std::string& part) {
-    return [this, prefix = part.empty() ? part : part + "."](const char* name, const auto& value, Low kind,
-                                                             double low, double high) {
-      const auto number = static_cast<double>(value);
-      if (number <= high && (number > low || (kind == Low::closed && number == low))) return;
-      issues.push_back({ErrorCode::invalid, room_ + ": " + prefix + name + " is " + std::to_string(number) +
-                                                "; it must be in " + (kind == Low::closed ? "[" : "(") +
-                                                std::to_string(low) + ", " + std::to_string(high) + "]"});
-    };
-  }
-  std::vector<Error> issues;
-
- private:
-  std::string room_;
-};
 
 }  // namespace weft::agents
