@@ -47,12 +47,17 @@ Result<void> check_sizes(const Cloud& cloud, std::uint32_t quantum_um) {
   return {};
 }
 
-Result<void> check_fits(std::size_t points, std::uint8_t value_bytes) {
+Result<void> check_fits(const Cloud& cloud, std::uint8_t value_bytes) {
   const std::size_t room = kLargestContent - kMagicBytes - kHeadBytes;
-  const std::size_t most = room / (sizeof(std::uint64_t) + value_bytes);
-  if (points <= most) return {};
-  return fail(ErrorCode::exhausted, "cloud: " + std::to_string(points) + " points, a content holds at most " +
-                                        std::to_string(most) + "; thin the cloud or cut it");
+  if (cloud.attached.size() > room) {
+    return fail(ErrorCode::exhausted, "cloud: " + std::to_string(cloud.attached.size()) +
+                                          " bytes are attached, a content holds at most " + std::to_string(room));
+  }
+  const std::size_t most = (room - cloud.attached.size()) / (sizeof(std::uint64_t) + value_bytes);
+  if (cloud.points.size() <= most) return {};
+  return fail(ErrorCode::exhausted, "cloud: " + std::to_string(cloud.points.size()) +
+                                        " points, a content holds at most " + std::to_string(most) +
+                                        " beside what is attached; thin the cloud or cut it");
 }
 
 double quanta_per_metre(std::uint32_t quantum_um) {
@@ -168,12 +173,15 @@ std::uint8_t value_bytes(const std::vector<std::uint16_t>& values) {
 Result<Bytes> canonical_bytes(const Cloud& cloud, std::uint32_t quantum_um) {
   if (auto sizes = check_sizes(cloud, quantum_um); !sizes) return fail(sizes.error());
   const std::uint8_t bytes_a_value = value_bytes(cloud.values);
-  if (auto fits = check_fits(cloud.points.size(), bytes_a_value); !fits) return fail(fits.error());
+  if (auto fits = check_fits(cloud, bytes_a_value); !fits) return fail(fits.error());
   const auto lattice = to_lattice(cloud, quantum_um);
   if (!lattice) return fail(lattice.error());
   if (auto extent = check_extent(*lattice, quantum_um); !extent) return fail(extent.error());
-  const Head head{quantum_um, lattice->least, bytes_a_value, static_cast<std::uint32_t>(cloud.points.size())};
-  return bytes_a_value == 0 ? points_alone(*lattice, head) : points_with_values(*lattice, cloud.values, head);
+  const Head head{quantum_um, lattice->least, bytes_a_value, static_cast<std::uint32_t>(cloud.points.size()),
+                  static_cast<std::uint32_t>(cloud.attached.size())};
+  Bytes bytes = bytes_a_value == 0 ? points_alone(*lattice, head) : points_with_values(*lattice, cloud.values, head);
+  std::copy(cloud.attached.begin(), cloud.attached.end(), bytes.end() - head.attached);
+  return bytes;
 }
 
 }  // namespace weft::clouds

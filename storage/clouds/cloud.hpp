@@ -8,10 +8,12 @@
 
 namespace weft::clouds {
 
-/// Holds points in metres in the frame that their content says, and one number each or none (intensity, ring, class).
+/// Holds points in metres in the frame that their content says, one number each or none (intensity, ring, class), and
+/// what else their content says (poses, features), whose meaning only its method knows.
 struct Cloud {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint16_t> values;  ///< empty, or one a point
+  Bytes attached{};
 
   friend bool operator==(const Cloud&, const Cloud&) = default;
 };
@@ -27,10 +29,10 @@ struct LatticeCloud {
 };
 
 /// Returns the bytes of a cloud that are hashed: the same for the same points in any order. Each coordinate x is kept
-/// within quantum / 2 + |x| 2^-24, values exactly; the order of the points is not kept. invalid, with the point and
-/// the bound: a quantum outside [1, kLargestQuantum_um], coordinates that are not finite or beyond 2^23 quanta, a
-/// cloud of 2^21 quanta or more on an axis, values that are not one a point. exhausted: more than kLargestContent
-/// bytes.
+/// within quantum / 2 + |x| 2^-24, values and what is attached exactly; the order of the points is not kept. invalid,
+/// with the point and the bound: a quantum outside [1, kLargestQuantum_um], coordinates that are not finite or beyond
+/// 2^23 quanta, a cloud of 2^21 quanta or more on an axis, values that are not one a point. exhausted: more than
+/// kLargestContent bytes.
 Result<Bytes> canonical_bytes(const Cloud& cloud, std::uint32_t quantum_um);
 
 /// Reads a cloud from its canonical bytes. corrupt or newer: bytes that canonical_bytes does not write.

@@ -35,6 +35,19 @@ Result<Bytes> grow(ByteView frame, std::size_t size, const char* what) {
   return bytes;
 }
 
+/// Compresses a part that is left out where there is nothing to say.
+Result<Bytes> shrink_if_any(ByteView bytes, std::size_t size) {
+  return size == 0 ? Result<Bytes>(Bytes()) : shrink(bytes);
+}
+
+Result<Bytes> grow_if_any(ByteView frame, std::size_t size, const char* what) {
+  return size == 0 && frame.empty() ? Result<Bytes>(Bytes()) : grow(frame, size, what);
+}
+
+std::size_t value_size(const Head& head) {
+  return std::size_t{head.count} * head.value_bytes;
+}
+
 /// Returns all low bytes, then all high ones.
 Bytes planes_from_values(ByteView values, std::size_t value_bytes) {
   Bytes planes(values.size());
@@ -88,6 +101,7 @@ struct Parts {
   std::string tokens;
   std::string tails;
   std::string values;
+  std::string attached;
 };
 
 Result<Parts> split_payload(ByteView payload) {
@@ -97,6 +111,7 @@ Result<Parts> split_payload(ByteView payload) {
   parts.tokens = in.text("size of the tokens");
   parts.tails = in.text("size of the tails");
   parts.values = in.text("size of the values");
+  parts.attached = in.text("size of the attachment");
   if (auto end = in.finish("cloud"); !end) return fail(end.error());
   return parts;
 }
@@ -108,24 +123,24 @@ Result<Bytes> compress_cloud(ByteView canonical) {
   ByteReader in(canonical.subspan(kMagicBytes));
   const Head head = read_head(in);
   if (!in.ok()) return fail(in.finish("cloud").error());
-  if (canonical.size() != head.canonical_size()) {
-    return corrupt_cloud(std::to_string(head.count) + " points need " + std::to_string(head.canonical_size()) +
-                         " bytes, " + std::to_string(canonical.size()) + " are there");
-  }
+  if (canonical.size() != head.canonical_size()) return wrong_size(head, canonical.size());
   const ByteView body = canonical.subspan(kMagicBytes + kHeadBytes);
   const ByteView codes = body.first(head.count * sizeof(std::uint64_t));
+  const ByteView stated = body.subspan(codes.size(), value_size(head));
   const auto gaps = gaps_from_codes(codes);
   if (!gaps) return fail(gaps.error());
   const auto tokens = shrink(gaps->tokens);
-  const auto values = shrink(planes_from_values(body.subspan(codes.size()), head.value_bytes));
+  const auto values = shrink_if_any(planes_from_values(stated, head.value_bytes), head.value_bytes);
+  const auto attached = shrink_if_any(body.last(head.attached), head.attached);
   if (!tokens) return fail(tokens.error());
   if (!values) return fail(values.error());
+  if (!attached) return fail(attached.error());
   ByteWriter payload;
-  payload.reserve(kHeadBytes + 12 + tokens->size() + gaps->tails.size() + values->size());
+  payload.reserve(kHeadBytes + 16 + tokens->size() + gaps->tails.size() + values->size() + attached->size());
   write_head(payload, head);
-  write_part(payload, *tokens);
-  write_part(payload, gaps->tails);
-  write_part(payload, head.value_bytes == 0 ? ByteView() : ByteView(*values));
+  for (const ByteView part : {ByteView(*tokens), ByteView(gaps->tails), ByteView(*values), ByteView(*attached)}) {
+    write_part(payload, part);
+  }
   return with_checksum(payload.view());
 }
 
@@ -146,14 +161,15 @@ Result<Bytes> expand_cloud(ByteView compressed) {
   const Head& head = parts->head;
   const auto tokens = grow(bytes_of(parts->tokens), head.count, "tokens");
   if (!tokens) return fail(tokens.error());
-  const std::size_t value_bytes = std::size_t{head.count} * head.value_bytes;
-  auto planes = value_bytes == 0 && parts->values.empty() ? Result<Bytes>(Bytes())
-                                                          : grow(bytes_of(parts->values), value_bytes, "values");
+  const auto planes = grow_if_any(bytes_of(parts->values), value_size(head), "values");
   if (!planes) return fail(planes.error());
+  const auto attached = grow_if_any(bytes_of(parts->attached), head.attached, "attached bytes");
+  if (!attached) return fail(attached.error());
   Bytes canonical = with_head(head);
   std::uint8_t* codes = canonical.data() + kMagicBytes + kHeadBytes;
   if (auto done = codes_from_gaps(*tokens, bytes_of(parts->tails), codes); !done) return fail(done.error());
   values_from_planes(*planes, head.value_bytes, codes + head.count * sizeof(std::uint64_t));
+  std::copy(attached->begin(), attached->end(), canonical.end() - head.attached);
   return canonical;
 }
 

@@ -17,6 +17,7 @@ struct Body {
   Head head;
   ByteView codes;
   ByteView values;
+  ByteView attached;
 
   std::uint64_t code(std::size_t at) const {
     std::uint64_t value = 0;
@@ -95,16 +96,15 @@ Result<std::vector<std::uint16_t>> read_values(const Body& body) {
 Result<Body> split_canonical(ByteView canonical) {
   if (auto magic = check_magic(canonical, kCanonicalMagic); !magic) return fail(magic.error());
   ByteReader in(canonical.subspan(kMagicBytes));
-  Body body{read_head(in), {}, {}};
+  Body body{read_head(in), {}, {}, {}};
   if (!in.ok()) return fail(in.finish("cloud").error());
   if (canonical.size() != body.head.canonical_size()) {
-    return corrupt_cloud(std::to_string(body.head.count) + " points need " +
-                         std::to_string(body.head.canonical_size()) + " bytes, " + std::to_string(canonical.size()) +
-                         " are there");
+    return wrong_size(body.head, canonical.size());
   }
   const ByteView rest = canonical.subspan(kMagicBytes + kHeadBytes);
   body.codes = rest.first(body.head.count * sizeof(std::uint64_t));
-  body.values = rest.subspan(body.codes.size());
+  body.values = rest.subspan(body.codes.size(), std::size_t{body.head.count} * body.head.value_bytes);
+  body.attached = rest.subspan(body.codes.size() + body.values.size());
   return body;
 }
 
@@ -118,7 +118,9 @@ Result<LatticeCloud> decode_cloud(ByteView canonical) {
   if (!values) return fail(values.error());
   Placed placed = place_points(*body);
   if (auto bounds = check_bounds(body->head, placed); !bounds) return fail(bounds.error());
-  return LatticeCloud{{std::move(placed.points), std::move(*values)}, body->head.quantum_um};
+  return LatticeCloud{
+      {std::move(placed.points), std::move(*values), Bytes(body->attached.begin(), body->attached.end())},
+      body->head.quantum_um};
 }
 
 }  // namespace weft::clouds

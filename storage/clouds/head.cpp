@@ -9,7 +9,7 @@
 namespace weft::clouds {
 namespace {
 
-constexpr std::uint8_t kFormat = 1;
+constexpr std::uint8_t kFormat = 2;
 
 std::int32_t read_origin(ByteReader& in) {
   const std::size_t at = in.offset();
@@ -25,6 +25,12 @@ std::int32_t read_origin(ByteReader& in) {
 
 tl::unexpected<Error> corrupt_cloud(const std::string& what) {
   return fail(ErrorCode::corrupt, "cloud: " + what);
+}
+
+tl::unexpected<Error> wrong_size(const Head& head, std::size_t size) {
+  return corrupt_cloud(std::to_string(head.count) + " points and " + std::to_string(head.attached) +
+                       " attached bytes need " + std::to_string(head.canonical_size()) + " bytes, " +
+                       std::to_string(size) + " are there");
 }
 
 void write_magic(ByteWriter& out, const Magic& magic) {
@@ -48,6 +54,7 @@ void write_head(ByteWriter& out, const Head& head) {
   for (const std::int32_t origin : head.origin) out.number(static_cast<std::uint32_t>(origin));
   out.number(head.value_bytes);
   out.number(head.count);
+  out.number(head.attached);
 }
 
 Head read_head(ByteReader& in) {
@@ -57,9 +64,13 @@ Head read_head(ByteReader& in) {
   head.value_bytes = in.ranged<std::uint8_t>("value bytes", 0, 2);
   const std::size_t at = in.offset();
   head.count = in.number<std::uint32_t>("count");
+  head.attached = in.number<std::uint32_t>("attached");
   if (head.canonical_size() > kLargestContent) {
-    in.corrupt("count", at, "is " + std::to_string(head.count) + ", more points than the largest content holds");
+    in.corrupt("count", at,
+               "is " + std::to_string(head.count) + ", with " + std::to_string(head.attached) +
+                   " bytes attached, more than the largest content holds");
     head.count = 0;
+    head.attached = 0;
   }
   return head;
 }

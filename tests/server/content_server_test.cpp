@@ -4,6 +4,7 @@
 #include "core/network/codec.hpp"
 #include "storage/content_coder.hpp"
 #include "tests/server/arranged_site.hpp"
+#include "tests/storage/clouds/sample_clouds.hpp"
 
 namespace weft::server::test {
 namespace {
@@ -59,6 +60,22 @@ TEST_F(Contents, ServesAContentAsItIsStored) {
   }
   EXPECT_EQ(got.size(), site.last<msg::Chunk>()->total);
   EXPECT_EQ(storage::ContentCoder().decode(msg::Coding::zstd, got, stated.size).value(), handed.contents[0]);
+}
+
+TEST_F(Contents, ServesACloudWithFeaturesAsACloud) {
+  Handed handed = run.next(1);
+  handed.contents[0] = clouds::sample::place_content(2, 9000);
+  const ContentRef stated{hash_bytes(handed.contents[0]), handed.contents[0].size()};
+  handed.batch.places[0].content = stated;
+  site.hand_in(r1, handed);
+  ask({{stated.hash, 0}});
+  Bytes got;
+  for (const msg::Chunk& chunk : site.heard<msg::Chunk>()) {
+    EXPECT_EQ(chunk.coding, msg::Coding::cloud);
+    EXPECT_LT(chunk.total, stated.size * 6 / 10);
+    got.insert(got.end(), chunk.data.begin(), chunk.data.end());
+  }
+  EXPECT_EQ(storage::ContentCoder().decode(msg::Coding::cloud, got, stated.size).value(), handed.contents[0]);
 }
 
 TEST_F(Contents, AnOffsetBeyondWhatIsStoredBeginsAnew) {

@@ -5,6 +5,7 @@
 #include "core/network/codec.hpp"
 #include "storage/content_coder.hpp"
 #include "tests/agents/agent/rig.hpp"
+#include "tests/storage/clouds/sample_clouds.hpp"
 
 namespace weft::agents::test {
 namespace {
@@ -67,17 +68,21 @@ struct Lent {
   explicit Lent(std::size_t size) {
     Random random(size);
     for (std::size_t at = 0; at < size; ++at) content.push_back(static_cast<std::uint8_t>(random.below(16)));
-    coded = storage::ContentCoder().encode(content);
-    ref = {hash_bytes(content), content.size()};
+    code();
   }
+  explicit Lent(Bytes cloud) : content(std::move(cloud)) { code(); }
   msg::Chunk piece(std::uint64_t offset, std::uint64_t most = msg::kChunkBytes) const {
-    return cut(msg::Coding::zstd, coded.bytes, offset, most);
+    return cut(coded.coding, coded.bytes, offset, most);
   }
   msg::Chunk raw_piece(std::uint64_t offset, std::uint64_t most = msg::kChunkBytes) const {
     return cut(msg::Coding::raw, content, offset, most);
   }
 
  private:
+  void code() {
+    coded = storage::ContentCoder().encode(content);
+    ref = {hash_bytes(content), content.size()};
+  }
   msg::Chunk cut(msg::Coding coding, const Bytes& bytes, std::uint64_t offset, std::uint64_t most) const {
     msg::Chunk chunk;
     chunk.coding = coding;
@@ -123,6 +128,18 @@ TEST(ContentsOfAgent, AsTheyAreStoredAreExpandedVerifiedAndCountedByTheirOwnSize
   EXPECT_EQ(asking.cache.bytes(), lent.ref.size);
   EXPECT_EQ(asking.cache.missing(), 0U);
   EXPECT_FALSE(asking.cache.next().has_value()) << "nothing is under way";
+}
+
+TEST(ContentsOfAgent, CloudsWithFeaturesTravelAsCloudsAndAreExpanded) {
+  const Lent lent(clouds::sample::place_content(3, 60'000));
+  ASSERT_EQ(lent.coded.coding, msg::Coding::cloud);
+  ASSERT_GT(lent.coded.bytes.size(), msg::kChunkBytes);
+  Asking asking(lent);
+  for (std::uint64_t at = 0; at < lent.coded.bytes.size(); at += msg::kChunkBytes) {
+    EXPECT_EQ(asking.take(lent.piece(at)), at + msg::kChunkBytes >= lent.coded.bytes.size());
+  }
+  EXPECT_EQ(*asking.cache.find(lent.ref.hash), lent.content);
+  EXPECT_EQ(asking.cache.bytes(), lent.ref.size);
 }
 
 TEST(ContentsOfAgent, InAnotherFormThanTheyBeganAreBegunAnew) {

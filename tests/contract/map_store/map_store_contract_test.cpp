@@ -6,6 +6,7 @@
 #include "storage/clouds/cloud.hpp"
 #include "storage/content_coder.hpp"
 #include "tests/contract/map_store/store_fixture.hpp"
+#include "tests/storage/clouds/sample_clouds.hpp"
 #include "tests/storage/sample_map.hpp"
 
 namespace weft::storage {
@@ -192,11 +193,9 @@ TEST_P(MapStoreContract, StoredContentsDecodeToTheContent) {
     cloud.points.emplace_back(static_cast<float>(random.uniform()), static_cast<float>(random.uniform()), 0.0F);
   }
   const Bytes canonical = clouds::canonical_bytes(cloud, clouds::kFineQuantum_um).value();
-  const std::vector<std::pair<Coding, Bytes>> forms = {{Coding::zstd, shrinks},
-                                                       {Coding::raw, random_bytes},
-                                                       {Coding::raw, Bytes{7}},
-                                                       {Coding::raw, Bytes{}},
-                                                       {Coding::cloud, canonical}};
+  const std::vector<std::pair<Coding, Bytes>> forms = {
+      {Coding::zstd, shrinks}, {Coding::raw, random_bytes}, {Coding::raw, Bytes{7}},
+      {Coding::raw, Bytes{}},  {Coding::cloud, canonical},  {Coding::cloud, clouds::sample::place_content(16, 4000)}};
   for (const auto& [coding, bytes] : forms) {
     const ContentHash hash = hash_bytes(bytes);
     commit({{PutContent{hash, msg::ContentKind::content, bytes}}});
@@ -228,7 +227,10 @@ TEST_P(MapStoreContract, CloudsComeBackToTheByteCanonicalOrNot) {
   std::reverse(unsorted.begin() + 40, unsorted.begin() + 4040);  // begins as one, and is none
   Bytes cut = canonical;
   cut.resize(cut.size() - 3);
-  for (const Bytes& bytes : {canonical, unsorted, cut}) {
+  const Bytes with_features = clouds::sample::place_content(17, 4000);
+  Bytes longer = with_features;
+  longer.push_back(0);
+  for (const Bytes& bytes : {canonical, unsorted, cut, with_features, longer}) {
     for (const msg::ContentKind kind : {msg::ContentKind::cloud, msg::ContentKind::content}) {
       const ContentHash hash = hash_bytes(bytes);
       commit({{PutContent{hash, kind, bytes}}});

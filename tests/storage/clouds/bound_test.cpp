@@ -105,11 +105,18 @@ TEST(CloudBound, QuantaAndCountsOutOfRangeAreRefused) {
   Cloud short_of_values = cloud;
   short_of_values.values.pop_back();
   EXPECT_THAT(canonical_bytes(short_of_values, 1000).error().message, HasSubstr("9 values for 10 points"));
-  const Cloud too_large = sample::of_points(std::vector<Eigen::Vector3f>(8'388'605, Eigen::Vector3f::Zero()));
+  const Cloud too_large = sample::of_points(std::vector<Eigen::Vector3f>(8'388'604, Eigen::Vector3f::Zero()));
   const auto refused = canonical_bytes(too_large, 1000);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::exhausted);
-  EXPECT_THAT(refused.error().message, HasSubstr("at most 8388604"));
+  EXPECT_THAT(refused.error().message, HasSubstr("at most 8388603"));
+  Cloud laden = cloud;
+  laden.attached = Bytes((64U << 20U) - 33 - 10 * 9);
+  EXPECT_TRUE(canonical_bytes(laden, 1000));
+  laden.attached.push_back(0);
+  EXPECT_THAT(canonical_bytes(laden, 1000).error().message, HasSubstr("10 points, a content holds at most 9 beside"));
+  laden.attached.resize(64U << 20U);
+  EXPECT_THAT(canonical_bytes(laden, 1000).error().message, HasSubstr("67108864 bytes are attached"));
 }
 
 }  // namespace

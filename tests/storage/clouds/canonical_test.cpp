@@ -8,14 +8,15 @@ namespace weft::clouds {
 namespace {
 
 TEST(CanonicalCloud, BytesAreThoseOfTheDocument) {
-  const Cloud cloud{{{0.003F, 0.0F, 0.0F}, {0.001F, -0.002F, 0.001F}}, {7, 300}};
-  const Bytes expected{'W',  'E', 'F', 'T', 'C',  'L',  'D',  1,                 // magic, format
+  const Cloud cloud{{{0.003F, 0.0F, 0.0F}, {0.001F, -0.002F, 0.001F}}, {7, 300}, {9, 8, 7}};
+  const Bytes expected{'W',  'E', 'F', 'T', 'C',  'L',  'D',  2,                 // magic, format
                        0xe8, 3,   0,   0,                                        // 1000 um
                        1,    0,   0,   0,   0xfe, 0xff, 0xff, 0xff, 0, 0, 0, 0,  // origin 1, -2, 0
                        2,    2,   0,   0,   0,                                   // value bytes, count
+                       3,    0,   0,   0,                                        // attached
                        4,    0,   0,   0,   0,    0,    0,    0,                 // cell 0, 0, 1
                        24,   0,   0,   0,   0,    0,    0,    0,                 // cell 2, 2, 0
-                       0x2c, 1,   7,   0};
+                       0x2c, 1,   7,   0,   9,    8,    7};
   EXPECT_EQ(canonical_bytes(cloud, 1000).value(), expected);
 }
 
@@ -45,9 +46,23 @@ TEST(CanonicalCloud, WhatWasReadHasTheSameBytesAgain) {
   EXPECT_EQ(canonical_bytes(decode_cloud(bytes)->cloud, 1000).value(), bytes);
 }
 
+TEST(CanonicalCloud, WhatIsAttachedComesBackAndIsHashedWithThePoints) {
+  for (const std::size_t points : {0U, 1U, 900U}) {
+    for (const std::uint64_t values_below : {0U, 8U, 60'000U}) {
+      const Cloud plain = sample::room(5, points, values_below);
+      const Cloud cloud = sample::with_attachment(plain, 6, 1001);
+      const Bytes bytes = canonical_bytes(cloud, 5000).value();
+      EXPECT_EQ(bytes.size(), canonical_bytes(plain, 5000)->size() + 1001);
+      EXPECT_TRUE(is_cloud(bytes));
+      EXPECT_EQ(decode_cloud(bytes)->cloud.attached, cloud.attached);
+      EXPECT_EQ(canonical_bytes(decode_cloud(bytes)->cloud, 5000).value(), bytes);
+    }
+  }
+}
+
 TEST(CanonicalCloud, ACloudWithoutPointsIsOne) {
   const Bytes bytes = canonical_bytes({}, kFineQuantum_um).value();
-  EXPECT_EQ(bytes.size(), 29U);
+  EXPECT_EQ(bytes.size(), 33U);
   EXPECT_EQ(decode_cloud(bytes)->cloud, Cloud{});
   EXPECT_TRUE(is_cloud(bytes));
   EXPECT_FALSE(is_cloud({}));

@@ -48,13 +48,18 @@ std::size_t place_to_damage(std::size_t begin, const Bytes& bytes, Random& rando
   return begin + random.below(std::max<std::size_t>(1, bytes.size() - begin));
 }
 
+/// Returns a cloud of fewer than `most` points, with values or without, with something attached or without.
+Cloud any_cloud(Random& random, std::uint64_t most) {
+  Cloud cloud = sample::room(random.next(), random.below(most), random.below(2) * 300);
+  return random.chance(0.5) ? cloud : sample::with_attachment(std::move(cloud), random.next(), 1 + random.below(60));
+}
+
 TEST(HostileCloud, DamagedCanonicalBytesAreRefusedOrSayACloud) {
   Random random(21);
   std::size_t accepted = 0;
   std::size_t refused = 0;
   for (int round = 0; round < 4000; ++round) {
-    const Bytes bytes =
-        canonical_bytes(sample::room(random.next(), random.below(40), random.below(2) * 300), 1000).value();
+    const Bytes bytes = canonical_bytes(any_cloud(random, 40), 1000).value();
     const Bytes hostile = damaged(bytes, place_to_damage(0, bytes, random), random);
     const auto decoded = decode_cloud(hostile);
     if (!decoded) {
@@ -85,8 +90,7 @@ TEST(HostileCloud, DamageThatIsVouchedForIsRefusedOrSaysSomething) {
   std::size_t accepted = 0;
   std::size_t refused = 0;
   for (int round = 0; round < 4000; ++round) {
-    const Cloud cloud = sample::room(random.next(), random.below(300), random.below(2) * 300);
-    const Bytes bytes = compress_cloud(canonical_bytes(cloud, 1000).value()).value();
+    const Bytes bytes = compress_cloud(canonical_bytes(any_cloud(random, 300), 1000).value()).value();
     Bytes hostile = damaged(bytes, place_to_damage(kPayloadAt, bytes, random), random);
     vouch(hostile);
     const auto expanded = expand_cloud(hostile);
@@ -106,7 +110,7 @@ TEST(HostileCloud, DamageThatIsVouchedForIsRefusedOrSaysSomething) {
 }
 
 TEST(HostileCloud, EveryTruncationIsRefused) {
-  const Bytes canonical = canonical_bytes(sample::room(2, 30, 300), 1000).value();
+  const Bytes canonical = canonical_bytes(sample::with_attachment(sample::room(2, 30, 300), 1, 50), 1000).value();
   const Bytes compressed = compress_cloud(canonical).value();
   for (std::size_t size = 0; size < canonical.size(); ++size) {
     EXPECT_FALSE(decode_cloud(ByteView(canonical).first(size)));
@@ -116,18 +120,22 @@ TEST(HostileCloud, EveryTruncationIsRefused) {
     Bytes hostile(compressed.begin(), compressed.begin() + static_cast<std::ptrdiff_t>(size));
     vouch(hostile);
     EXPECT_FALSE(expand_cloud(hostile));
-    EXPECT_EQ(expanded_size(hostile).has_value(), size >= kPayloadAt + 21) << "the head is all that it reads";
+    EXPECT_EQ(expanded_size(hostile).has_value(), size >= kPayloadAt + 25) << "the head is all that it reads";
   }
 }
 
-TEST(HostileCloud, ACountBeyondTheLargestContentIsRefusedBeforeItIsBelieved) {
-  Bytes canonical = canonical_bytes(sample::room(2, 30, 0), 1000).value();
-  std::fill_n(canonical.begin() + 25, 4, std::uint8_t{0xff});
-  EXPECT_FALSE(decode_cloud(canonical));
-  Bytes compressed = compress_cloud(canonical_bytes(sample::room(2, 30, 0), 1000).value()).value();
-  std::fill_n(compressed.begin() + kPayloadAt + 17, 4, std::uint8_t{0xff});
-  vouch(compressed);
-  EXPECT_FALSE(expand_cloud(compressed));
+TEST(HostileCloud, LengthsBeyondTheLargestContentAreRefusedBeforeTheyAreBelieved) {
+  const Bytes canonical = canonical_bytes(sample::room(2, 30, 0), 1000).value();
+  for (const int field : {17, 21}) {  // of the head: how many points, how many bytes attached
+    Bytes hostile = canonical;
+    std::fill_n(hostile.begin() + 8 + field, 4, std::uint8_t{0xff});
+    EXPECT_FALSE(decode_cloud(hostile));
+    Bytes compressed = compress_cloud(canonical).value();
+    std::fill_n(compressed.begin() + kPayloadAt + field, 4, std::uint8_t{0xff});
+    vouch(compressed);
+    EXPECT_FALSE(expand_cloud(compressed));
+    EXPECT_FALSE(expanded_size(compressed));
+  }
 }
 
 }  // namespace

@@ -35,8 +35,21 @@ inline Cloud shuffled(Cloud cloud, std::uint64_t seed) {
   return cloud;
 }
 
+/// Returns the same with `size` bytes attached, which do not shrink: descriptors.
+inline Cloud with_attachment(Cloud cloud, std::uint64_t seed, std::size_t size) {
+  Random random(seed);
+  for (std::size_t at = 0; at < size; ++at) cloud.attached.push_back(static_cast<std::uint8_t>(random.next()));
+  return cloud;
+}
+
+/// Returns the content of a place: a cloud on a lattice of 5 mm with the numbers of its frames, and features
+/// attached.
+inline Bytes place_content(std::uint64_t seed, std::size_t points) {
+  return canonical_bytes(with_attachment(room(seed, points, 8), seed, points / 4), 5000).value();
+}
+
 inline Cloud of_points(std::vector<Eigen::Vector3f> points) {
-  return {std::move(points), {}};
+  return {std::move(points), {}, {}};
 }
 
 }  // namespace weft::clouds::sample
