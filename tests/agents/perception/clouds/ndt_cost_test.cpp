@@ -1,0 +1,88 @@
+// The derivatives of the cost against numeric ones.
+#include "agents/perception/clouds/ndt_cost.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
+
+#include "agents/perception/clouds/moved.hpp"
+#include "tests/agents/perception/clouds/scanned_corner.hpp"
+
+namespace weft::agents {
+namespace {
+
+struct NdtCosts : testing::Test {
+  double at(const Vector6d& twist) const { return cost(twist).value; }
+  NdtCost cost(const Vector6d& twist) const { return ndt_cost(a, b, a_from_b * se3_exp(twist), config, false); }
+  static NdtLevel level_of(const std::vector<Eigen::Vector3f>& points) {
+    return ndt_map({points}, NdtCellConfig{}).levels.at(1);
+  }
+
+  const Pose3 a_from_b = se3_exp((Vector6d() << 0.4, -0.1, 0.05, 0.02, -0.03, 0.2).finished());
+  const Pose3 off_by = se3_exp((Vector6d() << 0.02, 0.03, -0.02, 0.01, 0.005, -0.01).finished());
+  NdtLevel a = level_of(test::scanned(1, true));
+  NdtLevel b = level_of(moved(test::scanned(2, true), (a_from_b * off_by).inverse()));
+  NdtCostConfig config{};
+};
+
+TEST_F(NdtCosts, GradientIsTheSlopeOfTheValue) {
+  const NdtCost here = cost(Vector6d::Zero());
+  constexpr double step = 1e-6;
+  for (int axis = 0; axis < 6; ++axis) {
+    const Vector6d by = step * Vector6d::Unit(axis);
+    const double slope = (at(by) - at(-by)) / (2.0 * step);
+    EXPECT_NEAR(here.gradient[axis], slope, 1e-4 * here.gradient.norm()) << "axis " << axis;
+  }
+}
+
+TEST_F(NdtCosts, HessianIsTheSlopeOfTheGradient) {
+  const NdtCost here = cost(Vector6d::Zero());
+  constexpr double step = 2e-6;  // small, so that no cell of b comes to lie among others of a
+  for (int one = 0; one < 6; ++one) {
+    for (int other = 0; other < 6; ++other) {  // of the value twice: a gradient belongs to its own pose's frame
+      const Vector6d first = step * Vector6d::Unit(one);
+      const Vector6d second = step * Vector6d::Unit(other);
+      const double slope =
+          (at(first + second) - at(first - second) - at(second - first) + at(-first - second)) / (4.0 * step * step);
+      EXPECT_NEAR(here.hessian(one, other), slope, 2e-3 * here.hessian.norm()) << one << ", " << other;
+    }
+  }
+}
+
+TEST_F(NdtCosts, HessianIsSymmetricAndTheInformationNeverNegative) {
+  const NdtCost here = cost(Vector6d::Constant(0.05));
+  EXPECT_LT((here.hessian - here.hessian.transpose()).norm(), 1e-9 * here.hessian.norm());
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(here.information);
+  EXPECT_GT(solver.eigenvalues()[0], 0.0);
+}
+
+TEST_F(NdtCosts, CloudsThatDoNotMeetCostNothing) {
+  const NdtCost apart = cost((Vector6d() << 50.0, 0.0, 0.0, 0.0, 0.0, 0.0).finished());
+  EXPECT_EQ(apart.value, 0.0);
+  EXPECT_EQ(apart.matched, 0U);
+  EXPECT_EQ(apart.information.norm(), 0.0);
+}
+
+TEST_F(NdtCosts, TheScatterOfTheGradientIsThatOfRepeatedScans) {
+  // Of clouds seen anew: the gradient's own covariance over seeds beside the one that is computed of one.
+  const Pose3 truth = a_from_b * off_by;
+  Matrix6d scatter = Matrix6d::Zero();
+  Matrix6d stated = Matrix6d::Zero();
+  Vector6d mean = Vector6d::Zero();
+  constexpr int runs = 40;
+  for (std::uint64_t seed = 0; seed < runs; ++seed) {
+    const NdtLevel one = level_of(test::scanned(100 + 2 * seed, true));
+    const NdtLevel two = level_of(moved(test::scanned(101 + 2 * seed, true), truth.inverse()));
+    const NdtCost there = ndt_cost(one, two, truth, config, true);
+    scatter += there.gradient * there.gradient.transpose() / runs;
+    mean += there.gradient / runs;
+    stated += there.scatter / runs;
+  }
+  scatter -= mean * mean.transpose();
+  for (int axis = 0; axis < 6; ++axis) {
+    EXPECT_GT(stated(axis, axis), 0.2 * scatter(axis, axis)) << "axis " << axis;
+    EXPECT_LT(stated(axis, axis), 5.0 * scatter(axis, axis)) << "axis " << axis;
+  }
+}
+
+}  // namespace
+}  // namespace weft::agents
