@@ -123,6 +123,16 @@ Result<Content> joined(std::vector<Content> contents) {
   return Content{*std::move(all)};
 }
 
+/// Thins the content, which has to be a cloud when that is asked for.
+Result<Content> with_thinning(Content content, const Thinning& thinning) {
+  if (!thinning.is_any()) return content;
+  const auto* const cloud = std::get_if<formats::Cloud>(&content);
+  if (cloud == nullptr) return fail(ErrorCode::invalid, "--voxel and --alone thin clouds, this is none");
+  Result<formats::Cloud> thin = thinned(*cloud, thinning);
+  if (!thin) return fail(thin.error());
+  return Content{*std::move(thin)};
+}
+
 Result<Bytes> bytes_for(const Content& content, const std::string& out, bool as_text) {
   const std::string ending = ending_of(out);
   const auto coding = as_text ? formats::CloudCoding::text : formats::CloudCoding::binary;
@@ -146,7 +156,8 @@ Exit convert(const Invocation& invocation, const Output& output) {
     say_not_understood(read->not_understood, file, output);
     contents.push_back(std::move(read->value));
   }
-  const Result<Content> content = joined(std::move(contents));
+  Result<Content> content = joined(std::move(contents));
+  if (content) content = with_thinning(*std::move(content), invocation.thinning);
   if (!content) return report_offline(content.error(), invocation.json, output);
   const Result<Bytes> bytes = bytes_for(*content, invocation.file, invocation.as_text);
   if (!bytes) return report_offline(bytes.error(), invocation.json, output);

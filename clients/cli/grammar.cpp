@@ -89,6 +89,16 @@ void Grammar::files() {
   convert->add_option("IN", into_.files, "What to read; several only for pose graphs")->type_name("")->required();
   convert->add_option("--to", into_.file, "The file to write")->type_name("OUT")->required();
   convert->add_flag("--text", into_.as_text, "Clouds as text");
+  convert
+      ->add_option("--voxel", into_.thinning.voxel_m,
+                   "Of a cloud: one point for each cube of this edge, without colours, intensities and normals")
+      ->type_name("M")
+      ->check(CLI::Range(0.001, 1000.0).description(""));
+  convert
+      ->add_option("--alone", into_.thinning.alone_m,
+                   "Of a cloud: leave out points with fewer than 3 others this near")
+      ->type_name("M")
+      ->check(CLI::Range(0.001, 1000.0).description(""));
 }
 
 void Grammar::goals() {

@@ -8,6 +8,7 @@
 #include "clients/cli/anchor.hpp"
 #include "clients/cli/polygon.hpp"
 #include "clients/cli/since.hpp"
+#include "clients/cli/thin_cloud.hpp"
 #include "core/protocol/messages.hpp"
 #include "core/result.hpp"
 
@@ -102,6 +103,7 @@ struct Invocation {
   double within_m = 0.0;           ///< map prune, replace: as usual when 0
   double within_deg = 0.0;
   bool as_text = false;             ///< file convert: clouds as text
+  Thinning thinning;                ///< file convert: of clouds
   std::vector<std::string> passed;  ///< calibrate: as it stands, for `weft-agent calibrate`
   Rule rule;  ///< rule add: all but its spans; rule remove, refresh: its name (refresh: none: all)
   std::vector<std::string> stretches;      ///< rule add: its spans

@@ -60,6 +60,24 @@ class Arrows(unittest.TestCase):
         self.assertNotEqual(run('check_arrows.py', {}, 'core:\nserver: cor\n')[0], 0)
 
 
+class Outside(unittest.TestCase):
+    TABLE = 'pcl/: agents/clouds/one.cpp tests/bench/\n'
+
+    def test_a_library_is_included_by_its_own_room_alone(self):
+        files = {'agents/clouds/one.cpp': '#include <pcl/point_types.h>\n', 'tests/bench/b.cpp': '#include <pcl/point_types.h>\n',
+                 'core/a.cpp': '#include "core/pcl.hpp"\n#include <vector>\n'}
+        self.assertEqual(run('check_outside.py', files, self.TABLE), (0, ''))
+
+    def test_an_include_elsewhere_fails_and_is_named(self):
+        for name in ('agents/clouds/two.cpp', 'agents/clouds/one.hpp', 'tests/agents/t.cpp'):
+            code, text = run('check_outside.py', {name: '# include <pcl/point_types.h>\n'}, self.TABLE)
+            self.assertEqual(code, 1, name)
+            self.assertIn(f'{name}: may not include pcl/point_types.h', text)
+
+    def test_a_library_without_a_room_is_no_free_pass(self):
+        self.assertNotEqual(run('check_outside.py', {}, 'pcl/:\n')[0], 0)
+
+
 class Deciding(unittest.TestCase):
     TABLE = 'core\n-core/edge\n'
 

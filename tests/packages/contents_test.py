@@ -56,7 +56,7 @@ class Contents(Case):
     def test_programs_ask_for_the_libraries_that_they_load(self):
         for name, libraries in (('weft-server', ('libc6', 'libsqlite3-0', 'libfastrtps', 'libprometheus-cpp-core', 'libcpp-httplib')),
                                 ('weft-agent', ('libc6', 'libopencv-core', 'libprometheus-cpp-core', 'libcpp-httplib')),
-                                ('weft-cli', ('libc6', 'libfastrtps'))):
+                                ('weft-cli', ('libc6', 'libfastrtps', 'libpcl-filters1.13'))):
             depends = output('dpkg-deb', '-f', package(name), 'Depends')
             for library in libraries:
                 self.assertRegex(depends, rf'\b{re.escape(library)}', name)

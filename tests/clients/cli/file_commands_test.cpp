@@ -82,6 +82,52 @@ TEST(FileConvert, CloudsBothWays) {
   EXPECT_EQ(cloud->value.points, (std::vector<Eigen::Vector3f>{{1, 2, 3}, {4, 5, 6}}));
 }
 
+/// Returns a PCD of a row of 40 points 1 cm apart with intensities, and one point far from all others.
+std::string row_of_points() {
+  formats::Cloud cloud;
+  for (int at = 0; at < 40; ++at) {
+    cloud.points.emplace_back(0.005F + 0.01F * static_cast<float>(at), 0.02F, 0.02F);
+    cloud.intensities.push_back(static_cast<float>(at));
+  }
+  cloud.points.emplace_back(5.0F, 5.0F, 5.0F);
+  cloud.intensities.push_back(99.0F);
+  cloud.width = cloud.points.size();
+  const Bytes bytes = formats::pcd_bytes(cloud, formats::CloudCoding::binary);
+  return written("row.pcd", std::string(bytes.begin(), bytes.end()));
+}
+
+TEST(FileConvert, CloudsOfOthersAreThinned) {
+  const std::string pcd = (folder() / "thin.pcd").string();
+  const auto converted = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> words = {"file", "convert", row_of_points(), "--to", pcd};
+    words.insert(words.end(), flags.begin(), flags.end());
+    EXPECT_EQ(weft(words).exit, Exit::done);
+    return formats::read_pcd(*read_file(pcd), pcd)->value;
+  };
+  const formats::Cloud without = converted({"--alone", "0.1"});
+  EXPECT_EQ(without.points.size(), 40U);
+  EXPECT_EQ(without.intensities.back(), 39.0F);
+  const formats::Cloud means = converted({"--voxel", "0.1"});
+  EXPECT_EQ(means.points.size(), 5U);
+  EXPECT_TRUE(means.intensities.empty());
+  EXPECT_EQ(converted({"--voxel", "0.1", "--alone", "0.1"}).points.size(), 4U);
+}
+
+TEST(FileConvert, ThinningIsForCloudsAndWithinBounds) {
+  const std::string pcd = (folder() / "thin.pcd").string();
+  const Said graph = weft({"file", "convert", written("a.g2o", kGraph), "--to", "b.g2o", "--voxel", "1"});
+  EXPECT_EQ(graph.exit, Exit::usage);
+  EXPECT_NE(graph.err.find("thin clouds, this is none"), std::string::npos) << graph.err;
+  EXPECT_EQ(weft({"file", "convert", row_of_points(), "--to", pcd, "--voxel", "0"}).exit, Exit::usage);
+  const std::string wide =
+      written("wide.pcd",
+              "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n"
+              "0 0 0\n9000 9000 9000\n");
+  const Said small = weft({"file", "convert", wide, "--to", pcd, "--voxel", "0.001"});
+  EXPECT_EQ(small.exit, Exit::usage);
+  EXPECT_NE(small.err.find("take larger ones"), std::string::npos) << small.err;
+}
+
 TEST(FileConvert, TrajectoriesAndJoinedGraphs) {
   const std::string tum = (folder() / "t.tum").string();
   ASSERT_EQ(weft({"file", "convert", written("t.csv", "1500000000,1,2,3,1,0,0,0\n"), "--to", tum}).exit, Exit::done);
