@@ -120,6 +120,9 @@ Parsed parse(int argc, const char* const* argv) {
   HeadingOptions heading;
   CeilingWords ceiling;
   CeilingFramesOptions ceiling_frames;
+  RegisterOptions registered;
+  RegisterRoomsOptions rooms;
+  std::string rooms_seeds;
   GenerateOptions generate;
   std::string disturbances_seeds;
   std::string foretold_seeds;
@@ -136,6 +139,8 @@ Parsed parse(int argc, const char* const* argv) {
   const CLI::App* const heading_sub = describe(app, heading);
   const CLI::App* const ceiling_sub = describe(app, ceiling);
   const CLI::App* const ceiling_frames_sub = describe(app, ceiling_frames);
+  const CLI::App* const register_sub = describe(app, registered);
+  const CLI::App* const rooms_sub = describe(app, rooms, rooms_seeds);
   describe(app, generate);
   try {
     app.parse(argc, argv);
@@ -153,6 +158,8 @@ Parsed parse(int argc, const char* const* argv) {
   if (heading_sub->parsed()) return heading;
   if (ceiling_sub->parsed()) return parsed_ceiling(app, ceiling);
   if (ceiling_frames_sub->parsed()) return ceiling_frames;
+  if (register_sub->parsed()) return registered;
+  if (rooms_sub->parsed()) return with_seeds(app, rooms, rooms_seeds);
   if (floor_sub->parsed()) return parsed_floor(app, floor);
   if (attempts_sub->parsed()) return with_seeds(app, attempts, attempts_seeds);
   if (relocalise_sub->parsed()) return with_seeds(app, relocalise, relocalise_seeds);

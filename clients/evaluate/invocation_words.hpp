@@ -58,6 +58,8 @@ CLI::App* describe(CLI::App& app, LearningOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, HeadingOptions& options);
 CLI::App* describe(CLI::App& app, CeilingWords& words);
 CLI::App* describe(CLI::App& app, CeilingFramesOptions& options);
+CLI::App* describe(CLI::App& app, RegisterOptions& options);
+CLI::App* describe(CLI::App& app, RegisterRoomsOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, GenerateOptions& generate);
 
 }  // namespace weft::evaluate

@@ -129,6 +129,16 @@ int run(const evaluate::CeilingFramesOptions& options) {
   return finish_at_once(evaluate::ceiling::study_frames(options, around));
 }
 
+int run(const evaluate::RegisterOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish_at_once(evaluate::registration::study_pair(options, around, thread_cpu_s));
+}
+
+int run(const evaluate::RegisterRoomsOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish_at_once(evaluate::registration::study_rooms(options, around));
+}
+
 int run(const evaluate::ReplayOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
   return finish_at_once(evaluate::floor::replay_floor(options, around));
