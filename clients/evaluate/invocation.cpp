@@ -84,6 +84,14 @@ Parsed parsed_ceiling(const CLI::App& app, CeilingWords words) {
   return with_seeds(app, std::move(words.study), words.seeds);
 }
 
+Parsed parsed_particles(const CLI::App& app, ParticlesOptions options, const std::string& seeds) {
+  if (options.out.empty()) {
+    const std::string name = options.log.filename().string();
+    options.out = std::filesystem::path("out/particles") / name.substr(0, name.find('.'));
+  }
+  return with_seeds(app, std::move(options), seeds);
+}
+
 }  // namespace
 
 Result<Seeds> parse_seeds(std::string_view text) {
@@ -123,6 +131,8 @@ Parsed parse(int argc, const char* const* argv) {
   RegisterOptions registered;
   RegisterRoomsOptions rooms;
   std::string rooms_seeds;
+  ParticlesOptions particles;
+  std::string particles_seeds;
   GenerateOptions generate;
   std::string disturbances_seeds;
   std::string foretold_seeds;
@@ -141,6 +151,7 @@ Parsed parse(int argc, const char* const* argv) {
   const CLI::App* const ceiling_frames_sub = describe(app, ceiling_frames);
   const CLI::App* const register_sub = describe(app, registered);
   const CLI::App* const rooms_sub = describe(app, rooms, rooms_seeds);
+  const CLI::App* const particles_sub = describe(app, particles, particles_seeds);
   describe(app, generate);
   try {
     app.parse(argc, argv);
@@ -160,6 +171,7 @@ Parsed parse(int argc, const char* const* argv) {
   if (ceiling_frames_sub->parsed()) return ceiling_frames;
   if (register_sub->parsed()) return registered;
   if (rooms_sub->parsed()) return with_seeds(app, rooms, rooms_seeds);
+  if (particles_sub->parsed()) return parsed_particles(app, std::move(particles), particles_seeds);
   if (floor_sub->parsed()) return parsed_floor(app, floor);
   if (attempts_sub->parsed()) return with_seeds(app, attempts, attempts_seeds);
   if (relocalise_sub->parsed()) return with_seeds(app, relocalise, relocalise_seeds);

@@ -18,6 +18,7 @@
 #include "clients/evaluate/generate/site_generator.hpp"
 #include "clients/evaluate/heading/heading_study.hpp"
 #include "clients/evaluate/odometry/study.hpp"
+#include "clients/evaluate/particles/study.hpp"
 #include "clients/evaluate/registration/pair_study.hpp"
 #include "clients/evaluate/registration/rooms_study.hpp"
 #include "core/result.hpp"
@@ -38,7 +39,7 @@ struct GenerateOptions {
 using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ForetoldOptions,
                             ReplayOptions, OdometryOptions, BearingOptions, BearingRelocaliseOptions, LearningOptions,
                             HeadingOptions, CeilingOptions, CeilingFramesOptions, RegisterOptions,
-                            RegisterRoomsOptions, GenerateOptions, NotRun>;
+                            RegisterRoomsOptions, ParticlesOptions, GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
 /// Reads "A..B", or one number. invalid: says what is wrong.

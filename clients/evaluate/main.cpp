@@ -139,6 +139,11 @@ int run(const evaluate::RegisterRoomsOptions& options) {
   return finish_at_once(evaluate::registration::study_rooms(options, around));
 }
 
+int run(const evaluate::ParticlesOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish(evaluate::particles::study_particles(options, around), options.out);
+}
+
 int run(const evaluate::ReplayOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
   return finish_at_once(evaluate::floor::replay_floor(options, around));

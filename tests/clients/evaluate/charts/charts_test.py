@@ -24,7 +24,7 @@ PICTURES = {
     'replay': {'replay.png': 4}, 'floor-attempts': {'floor-attempts.png': 6}, 'floor-relocalise': {'floor-relocalise.png': 4},
     'bearing': {'paths.png': 2, 'first-loop.png': 1, 'loops.png': 1, 'ablation.png': 1},
     'bearing-relocalise': {'bearing-relocalise.png': 4}, 'disturbances': {'disturbances.png': 4},
-    'ceiling': {'ceiling.png': 4}}
+    'ceiling': {'ceiling.png': 4}, 'particles': {'particles.png': 2}}
 UNITS = (', m', ', s', ', m/s', ', mm', ', degrees', 'mm', '% of', 'share', 'P(X', 'loops', 'matches', 'number', 'floor')
 
 
@@ -99,6 +99,13 @@ class Charts(unittest.TestCase):
         axes = self.figures_of('disturbances')['disturbances.png'].axes
         self.assertEqual([text.get_text() for text in axes[0].get_yticklabels()], ['noise', 'rolling shutter 20 ms'])
         self.assertEqual([line.get_label() for line in axes[2].get_lines()], ['all', 'all but this one', 'all and this one', 'this one alone'])
+
+    def test_the_path_lies_over_the_grid_that_it_was_located_in(self):
+        path, errors = self.figures_of('particles')['particles.png'].axes
+        image = path.get_images()[0]
+        self.assertEqual([round(edge, 3) for edge in image.get_extent()], [-1.0, 2.0, 0.5, 2.5])
+        self.assertEqual(image.get_array()[0].tolist(), [0, 1, 2], 'the lowest row first: unknown, free, occupied')
+        self.assertEqual([round(y, 2) for y in errors.get_lines()[0].get_ydata()], [0.0, 0.5])
 
     def test_data_without_series_are_drawn_as_far_as_they_go(self):
         for study, left in (('bearing', {'loops.png'}), ('floor', {'floor-9-blind.png'}), ('disturbances', {'disturbances.png'}),

@@ -105,3 +105,10 @@ def ceiling(folder):
     for trial in ('line', 'other', 'change'):
         write(folder / 'series' / f'{trial}.json', {'ours': way(), 'published': way(aside=0.5)})
     write(folder / 'series' / 'loop.json', {'truth': way(), 'odometry': way(aside=0.1), 'composed': way(aside=0.4)})
+
+
+def particles(folder):
+    write(folder / 'particles.csv', 'seed,located,is_lost,mean_m\n1,2,0,0.25\n')
+    write(folder / 'series' / 'particles.json',
+          {'log': 'a.log', 'seed': 1, 'raster': [-1.0, 0.5, 1.0, 3, 2], 'cells': 'u.#...', 'truth': [[0.0, 1.0], [0.0, 2.0]],
+           'located': [[0.0, 1.0], [0.3, 1.6]]})
