@@ -20,9 +20,8 @@ def sources(words):
 
 def targets(root):
     """(name, paths of what is compiled together) of each target of the tree."""
-    for listing in sorted(root.rglob("CMakeLists.txt")):
-        if listing.relative_to(root).parts[0] == "build":
-            continue
+    tops = [top for top in root.iterdir() if top.is_dir() and top.name not in ("build", "out", ".git")]
+    for listing in sorted(path for top in tops for path in top.rglob("CMakeLists.txt")):
         text = re.sub(r"#.*", "", listing.read_text())
         alone = {name for words in OF_SOURCES.findall(text) if ALONE.search(words) for name in sources(words)}
         for target, words in TARGET.findall(text):

@@ -1,18 +1,14 @@
 """Images from programs that are built already: a Debian of our own, then the targets of deploy/Containerfile."""
-import hashlib
 import pathlib
 import shutil
-import subprocess
 import time
 
 import lab
+from playing import debian
 
 BASE = 'debian:bookworm-slim'
 PROGRAMS = ('weft', 'weft-server', 'weft-agent', 'weft-agent-sim', 'weft-health')
 LIMITS_MB = {'server': 180, 'agent': 400}
-# What Debian's own image leaves out, too.
-LEFT_OUT = ('doc', 'man', 'locale', 'info')
-SOURCES = ('/etc/apt/sources.list.d/debian.sources', '/etc/apt/sources.list')
 
 
 def missing(build):
@@ -37,29 +33,15 @@ def make_netfault():
 
 def base_archive():
     """A small Debian, made once for each release of the archive."""
-    source = next((path for path in SOURCES if pathlib.Path(path).exists()), SOURCES[0])
-    release = b''.join(path.read_bytes() for path in sorted(pathlib.Path('/var/lib/apt/lists').glob('*bookworm_InRelease')))
-    key = hashlib.sha256(release + pathlib.Path(source).read_bytes()).hexdigest()[:16]
-    archive = lab.WORK / f'base-{key}.tar'
+    archive = lab.WORK / f'base-{debian.release_key()}.tar'
     if archive.exists():
         return archive
     for old in lab.WORK.glob('base-*.tar*'):
         old.unlink()
     made = archive.with_suffix('.tar.new')
-    flags = [f'--dpkgopt=path-exclude=/usr/share/{folder}/*' for folder in LEFT_OUT]
-    make(made, flags, source)
+    debian.make(made)
     made.rename(archive)
     return archive
-
-
-def make(made, flags, source):
-    with open(made, 'wb') as out:
-        done = subprocess.run(['mmdebstrap', '--quiet', '--variant=apt', '--format=tar', *flags, '--dpkgopt=force-unsafe-io',
-                               '--aptopt=APT::Install-Recommends "0"', '--include=usr-is-merged',
-                               '--hook-dir=/usr/share/mmdebstrap/hooks/merged-usr', 'bookworm', '-', source], stdout=out, stderr=subprocess.PIPE, text=True,
-                              timeout=900, preexec_fn=lab.die_with_parent)
-    if done.returncode:
-        raise lab.Trouble(f'mmdebstrap: {done.stderr.strip()[-300:]}')
 
 
 def make_all(targets, say):

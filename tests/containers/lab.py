@@ -1,6 +1,5 @@
 """A private engine in a network namespace without uplink, its containers, and faults. All of it below one folder, and
 named after that, so that a run finds and removes what an aborted one left. Facts: docs/testing.md."""
-import ctypes
 import hashlib
 import os
 import pathlib
@@ -8,49 +7,19 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import time
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / 'tests'))
+from playing.processes import SLOW, Trouble, die_with_parent, run, wait_until  # noqa: E402, F401
+
 WORK = TOP / 'build' / 'containers'
 ROOT = WORK / 'lab'
 ENGINE = ROOT / 'engine'
 TAG = 'weft-' + hashlib.sha1(str(ROOT).encode()).hexdigest()[:6]      # namespace and control group
 NETWORK, SUBNET = 'bench', '10.77.0'
 USER = 10001
-SLOW = 3                                                              # every limit of a wait is multiplied by it
-
-
-class Trouble(RuntimeError):
-    """What was asked for did not happen; ends a scenario."""
-
-
-def die_with_parent():
-    ctypes.CDLL(None).prctl(1, signal.SIGKILL)
-    os.setsid()
-
-
-def run(*argv, check=True, timeout=300, **more):
-    """Returns what a program printed. Trouble names it and its last words."""
-    more.setdefault('input', '')
-    try:
-        done = subprocess.run([str(a) for a in argv], capture_output=True, text=True, timeout=timeout, **more)
-    except subprocess.TimeoutExpired:
-        raise Trouble(f'{argv[0]} {argv[1] if len(argv) > 1 else ""} took more than {timeout} s') from None
-    if check and done.returncode:
-        raise Trouble(f"{' '.join(str(a) for a in argv)[:160]}: exit {done.returncode}: {(done.stderr or done.stdout).strip()[-400:]}")
-    return done.stdout
-
-
-def wait_until(what, condition, seconds, every=0.1):
-    """Polls until `condition()` gives something true, which it returns."""
-    end = time.monotonic() + seconds * SLOW
-    while True:
-        value = condition()
-        if value:
-            return value
-        if time.monotonic() > end:
-            raise Trouble(f'waited {seconds * SLOW:.0f} s in vain for {what}')
-        time.sleep(every)
 
 
 def environment():
