@@ -19,7 +19,6 @@ DISK, SITE = '/packages', '/root/weft'      # where the packages' disk is mounte
 class Bench:
     def __init__(self, say=steps.say):
         self.say, self.machines, self.folder = say, {}, image.WORK / 'run'
-        self.taught = 0                          # how many metres of r1's line it has been led along
 
     def open(self, base, packages):
         shutil.rmtree(self.folder, ignore_errors=True)
@@ -93,9 +92,8 @@ class Bench:
         return {run['name']: (run['id'], run['places'], run['labels']) for run in self.weft('map', 'list')['experiences']}
 
     def lead(self, metres, name):
-        """Begins to teach r1 along the next metres of its line, straight ahead."""
-        start, self.taught = self.taught, self.taught + metres
-        points = ''.join(f'{6.5 - start - 0.25 * step:.2f} 6.40\n' for step in range(int(4 * metres) + 1))
+        """Begins to teach r1 straight ahead from where a simulated body stands when its agent has started."""
+        points = ''.join(f'{6.5 - 0.25 * step:.2f} 6.40\n' for step in range(int(4 * metres) + 1))
         self.server.write('/root/line', points, 'w')
         self.weft('teach', 'r1', 'start', '--as', name, '--along', '/root/line')
 

@@ -17,7 +17,7 @@ def run(bench):
         after = bench.wait_active(machine, unit, other_than=before if restarts else None)
         broken += [] if (after['MainPID'] != before) == restarts else [f"{unit} was {'not ' if restarts else ''}started anew"]
         broken += [] if edit in machine.run(f'cat {file}') else [f'{file} has lost an edit']
-        version = machine.run(f"dpkg-query -W -f '${{Version}}' weft-{names.split()[0]}")
+        version = machine.run(f"dpkg-query -W -f '${{Version}}' weft-{names.split()[0]}").strip()
         broken += [] if version == bench.newer else [f'{unit} is of version {version}']
     bench.wait_heard()
     return broken + ([] if bench.runs() == runs else ['the map is another one'])

@@ -17,6 +17,7 @@ class Seen:
 
 
 def run(bench):
+    bench.wait_heard()
     broken, earlier = [], len(Seen(bench.robot.run(f'cat {shop.ACKS}')).acks)
     bench.lead(2.0, 'cut')
     wait_until('batches to be acknowledged', lambda: len(Seen(bench.robot.run(f'cat {shop.ACKS}')).acks) >= earlier + 3, 100, every=1)
