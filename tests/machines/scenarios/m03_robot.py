@@ -4,7 +4,7 @@ import time
 import bench as shop
 
 TITLE, SECONDS = 'a robot is installed, and is not restarted before its settings are whole', 150
-FPS = 8                                # of 30: an emulated machine renders some images a second
+FPS, WATCHDOG_S = 8, 30                # of 30 and 10: an emulated machine renders an image or two a second, its first one in more than 10 s
 
 
 def run(bench):
@@ -19,7 +19,8 @@ def run(bench):
     broken += [] if 'start weft-agent-sim' in robot.journal(shop.AGENT) else [f'it does not say what to do: {robot.journal(shop.AGENT, 3)}']
     robot.run(f'(cat /usr/share/weft/sites/demo.toml; echo "[camera]"; echo "fps = {FPS}"; echo "fps_at_rest = 1") >/etc/weft/site.toml')
     robot.write(shop.AGENT_SETTINGS, f'site = "/etc/weft/site.toml"\nrecords = "{shop.STATE}/records"\n')
-    robot.write('/etc/systemd/system/weft-agent@.service.d/simulated.conf', '[Service]\nExecStart=\nExecStart=/usr/bin/weft-agent-sim --config '
+    robot.write('/etc/systemd/system/weft-agent@.service.d/simulated.conf', f'[Service]\nWatchdogSec={WATCHDOG_S}\nExecStart=\n'
+                'ExecStart=/usr/bin/weft-agent-sim --config '
                 '/etc/weft/agents/%i.toml --state /var/lib/weft/agents/%i\n')
     robot.run(f'install -d -o weft -g weft {shop.STATE}/records; systemctl daemon-reload; systemctl restart {shop.AGENT}', 60)
     bench.wait_active(robot, shop.AGENT)
