@@ -95,7 +95,8 @@ class Bench:
         """Begins to teach r1 straight ahead from where a simulated body stands when its agent has started."""
         points = ''.join(f'{6.5 - 0.25 * step:.2f} 6.40\n' for step in range(int(4 * metres) + 1))
         self.server.write('/root/line', points, 'w')
-        self.weft('teach', 'r1', 'start', '--as', name, '--along', '/root/line')
+        begin = ('teach', 'r1', 'start', '--as', name, '--along', '/root/line')
+        wait_until('r1 to be taught', lambda: self.weft(*begin, good=None) is not None, 40, every=1)
 
     def wait_led(self, frame, seconds=100):
         """Until nobody leads r1 any more."""

@@ -17,6 +17,7 @@ class Seen:
 
 
 def run(bench):
+    bench.robot.run(f'systemctl restart {shop.AGENT}', 60)       # its body stands where it began
     bench.wait_heard()
     broken, earlier = [], len(Seen(bench.robot.run(f'cat {shop.ACKS}')).acks)
     bench.lead(2.0, 'cut')
