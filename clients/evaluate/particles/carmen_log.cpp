@@ -1,5 +1,6 @@
 #include "clients/evaluate/particles/carmen_log.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
