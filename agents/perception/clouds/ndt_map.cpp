@@ -120,6 +120,12 @@ NdtCell cell_from(const CellSums& sums, double cell_m, const DepthNoise& noise, 
           config.tilt_share * variances[0] / variances[1]};
 }
 
+/// Returns whether depth is exact enough there for cells of this size.
+bool is_thin(const CellSums& sums, double cell_m, const DepthNoise& noise, const NdtCellConfig& config) {
+  const double range_m = (sums.points - sums.cameras).norm() / sums.count;
+  return noise.sigma_m(range_m) <= config.thickest * cell_m;
+}
+
 NdtLevel level_from(const Grid& grid, const DepthNoise& noise, const NdtCellConfig& config) {
   NdtLevel level{grid.cell_m, grid.origin, CellTable(grid.table.size()), {}};
   level.cells.reserve(grid.sums.size());
