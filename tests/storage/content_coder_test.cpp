@@ -20,7 +20,7 @@ TEST(ContentCoder, ACloudWithFeaturesIsKeptAsACloud) {
   const Bytes content = clouds::sample::place_content(1, 16'000);
   const Coded coded = expect_back(content);
   EXPECT_EQ(coded.coding, Coding::cloud);
-  EXPECT_LT(coded.bytes.size() * 3, content.size());
+  EXPECT_LT(coded.bytes.size() * 2, content.size());
 }
 
 TEST(ContentCoder, TheSameBytesWithSomethingInFrontAreNone) {
