@@ -72,6 +72,7 @@ Result<OccupancyGrid> grid_of_even_scans(const std::vector<LaserScan>& scans) {
   if (!raster) return fail(raster.error());
   RayCastConfig config;
   config.range_m = kRangeM;
+  config.n_min = 1;  // one ray of a laser does not fly, and far walls are met by few
   RayCaster caster(*raster, config);
   for (const SeenCloud& cloud : clouds)
     if (const Result<void> cast = caster.cast(cloud); !cast) return fail(cast.error());
@@ -84,8 +85,10 @@ Result<OccupancyGrid> grid_of_even_scans(const std::vector<LaserScan>& scans) {
 
 LikelihoodField field_of(const OccupancyGrid& grid, const LikelihoodConfig& config) {
   DistanceMap distances = distance_to_occupied(grid, config.most_m);
+  // Between the rays that met a wall its cells are unknown: so near to what was met, a beam counts by its distance.
+  constexpr float near_m = 0.1F;
   for (std::size_t i = 0; i < grid.cells.size(); ++i)
-    if (grid.cells[i] == CellState::unknown) distances.metres[i] = -1.0F;
+    if (grid.cells[i] == CellState::unknown && distances.metres[i] > near_m) distances.metres[i] = -1.0F;
   return {config, grid.raster, distances.metres};
 }
 
