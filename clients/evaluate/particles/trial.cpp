@@ -42,7 +42,7 @@ class Locating {
     if (is_due) {
       const Scan scan = scan_of_laser(course_.scans[at_]);
       const double began_s = course_.steady_s();
-      filter_.update(course_.field, scan, course_.anywhere);
+      filter_.update(course_.field, scan, DrawPose());  // as nav2 has it, recovery is off
       took_s_ += course_.steady_s() - began_s;
       counts_.push_back(static_cast<double>(filter_.particles().size()));
     }
