@@ -14,7 +14,7 @@ std::vector<Eigen::Vector3f> wall_patch(std::uint64_t seed) {
   std::vector<Eigen::Vector3f> points;
   for (int at = 0; at < 400; ++at) {
     points.emplace_back(
-        Eigen::Vector3d(2.1 + random.normal(0.0, 0.004), random.uniform(0.0, 0.2), random.uniform(0.0, 0.2))
+        Eigen::Vector3d(2.1 + random.normal(0.0, 0.004), random.uniform(0.0, 0.2), random.uniform(0.1, 0.3))
             .cast<float>());
   }
   return points;
@@ -47,10 +47,10 @@ TEST(NdtMap, DepthNoiseWidensACellAlongItsRayAlone) {
   const std::vector<Eigen::Vector3f> points = wall_patch(1);
   const std::vector<std::uint16_t> frames(points.size(), 0);
   const DepthNoise noise{300.0, 0.12, 0.5};  // 6 cm at 2.1 m
-  const std::vector<Eigen::Vector3f> before = {{0.1F, 0.1F, 0.1F}};
+  const std::vector<Eigen::Vector3f> before = {{0.1F, 0.1F, 0.2F}};
   const NdtCell seen = ndt_map({points, frames, before, noise}, NdtCellConfig{}).levels[0].cells.at(0);
   EXPECT_NEAR(sigma_along(seen.covariance, Eigen::Vector3d::UnitX()), noise.sigma_m(2.0), 0.02);
-  const std::vector<Eigen::Vector3f> beside = {{2.1F, -1.9F, 0.1F}};
+  const std::vector<Eigen::Vector3f> beside = {{2.1F, -1.9F, 0.2F}};
   const NdtCell grazed = ndt_map({points, frames, beside, noise}, NdtCellConfig{}).levels[0].cells.at(0);
   EXPECT_LT(sigma_along(grazed.covariance, Eigen::Vector3d::UnitX()), 0.03);
 }
@@ -77,7 +77,7 @@ TEST(NdtMap, ALineOfPointsSaysLittleAcrossIt) {
   std::vector<Eigen::Vector3f> points;  // one line of a laser over a wall
   for (int at = 0; at < 60; ++at) {
     points.emplace_back(static_cast<float>(random.normal(2.1, 0.01)), static_cast<float>(random.uniform(0.0, 0.2)),
-                        static_cast<float>(random.normal(0.1, 0.01)));
+                        static_cast<float>(random.normal(0.2, 0.01)));
   }
   const NdtCell line = ndt_map({points}, NdtCellConfig{}).levels[0].cells.at(0);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(line.surface);
