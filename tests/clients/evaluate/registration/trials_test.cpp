@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace weft::evaluate::registration {
@@ -81,11 +80,10 @@ TEST(RegistrationTrials, NoEdgeOfARoomOrAnAisleIsMadeWorseByMuch) {
   }
 }
 
-TEST(RegistrationTrials, StitchesSlideAlongPlainAislesAndJoinRooms) {
-  for (const Trial& trial : stitch_trials(SceneKind::plain, 502, {}, {})) EXPECT_FALSE(trial.refused.empty());
-  const std::vector<Trial> joined = stitch_trials(SceneKind::room, 502, {}, {});
-  EXPECT_TRUE(std::any_of(joined.begin(), joined.end(),
-                          [](const Trial& trial) { return trial.refused.empty() && trial.after.metres() < 0.05; }));
+TEST(RegistrationTrials, StitchesSlideAlongPlainAisles) {
+  const std::vector<Trial> trials = stitch_trials(SceneKind::plain, 502, {}, {});
+  EXPECT_FALSE(trials.empty());
+  for (const Trial& trial : trials) EXPECT_EQ(trial.refused, "slides");
 }
 
 }  // namespace
