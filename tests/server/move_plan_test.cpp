@@ -265,6 +265,25 @@ TEST_F(MovePlanTest, WhoIsAskedInVainStillGoesToItsOwnGoal) {
   EXPECT_EQ(end_of(1), goal);
 }
 
+TEST_F(MovePlanTest, MovesToAndFroBesideOneAnotherDoNotLeadAway) {
+  draw({".. ",  //
+        "..."});
+  const Berth here = graph->at(0, 0);
+  const Berth beside = graph->at(0, 1);
+  graph->lay_beside(here, beside);
+  const auto move = [&](Berth from, Berth to) {
+    const std::vector<BerthArc>& arcs = graph->next(from, 0);
+    const auto arc = std::find_if(arcs.begin(), arcs.end(), [to](const BerthArc& each) { return each.to == to; });
+    return PlannedMove{.arc = &*arc, .from = from, .step = 0, .first = {}};
+  };
+  std::vector<PlannedMove> moves;
+  EXPECT_FALSE(leads_away(*graph, here, moves));
+  moves = {move(here, beside), move(beside, here), move(here, beside)};
+  EXPECT_FALSE(leads_away(*graph, here, moves));
+  moves.push_back(move(beside, graph->at(1, 1)));
+  EXPECT_TRUE(leads_away(*graph, here, moves));
+}
+
 TEST_F(MovePlanTest, NobodyIsReleasedToWhereAnotherComesFirst) {
   draw({".....",  //
         ".....",  //

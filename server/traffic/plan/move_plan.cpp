@@ -1,5 +1,6 @@
 #include "server/traffic/plan/move_plan.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "server/traffic/plan/move_steps.hpp"
@@ -11,6 +12,13 @@ MovePlan plan_moves(BerthGraph& graph, Pockets& pockets, Lanes& lanes, const std
   MoveSteps steps(graph, pockets, lanes, robots, rules);
   steps.work(std::numeric_limits<std::uint64_t>::max());
   return steps.take();
+}
+
+bool leads_away(BerthGraph& graph, Berth from, std::span<const PlannedMove> moves) {
+  const std::vector<Berth>& beside = graph.beside(from);
+  return std::any_of(moves.begin(), moves.end(), [&](const PlannedMove& move) {
+    return move.arc->to != from && !std::binary_search(beside.begin(), beside.end(), move.arc->to);
+  });
 }
 
 }  // namespace weft::server

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "server/traffic/plan/berth_graph.hpp"
@@ -63,5 +64,9 @@ struct MovePlan {
 /// order in which the robots are given.
 MovePlan plan_moves(BerthGraph& graph, Pockets& pockets, Lanes& lanes, const std::vector<PlanRobot>& robots,
                     const PlanRules& rules);
+
+/// Returns whether the moves lead to where a robot no longer touches the berth at which they begin: who makes way by
+/// others stays in the way.
+bool leads_away(BerthGraph& graph, Berth from, std::span<const PlannedMove> moves);
 
 }  // namespace weft::server

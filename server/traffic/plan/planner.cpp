@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace weft::server {
@@ -42,6 +43,7 @@ bool Planner::begin(const RuledNetwork& network, double footprint_m, std::vector
     distances_.clear();
     pockets_.clear();
     lanes_.clear();
+    stood_.clear();
   }
   making_.emplace(std::move(requests), part);
   return !lags;
@@ -56,6 +58,7 @@ bool Planner::plan_nothing(std::size_t robots) {
   released_.emplace(berths_, lanes_);
   for (std::size_t robot = 0; robot < robots; ++robot) released_->add({});
   methods_.assign(robots, 0);
+  makes_way_.assign(robots, std::nullopt);
   cut_off_by_.assign(robots, kNobody);
   moving_ = 0;
   return false;
@@ -192,6 +195,21 @@ std::uint32_t Planner::may(std::uint32_t robot, std::uint32_t held) {
     released_->put(robot, to);
   }
   released_->put(robot, at);
+  return makes_way_[robot] ? without_return(robot, move) : move;
+}
+
+/// Returns how many of the moves lead a robot that makes way on: to where it stood before, and was in the way, it
+/// does not go unless it gets away from there.
+std::uint32_t Planner::without_return(std::uint32_t robot, std::uint32_t moves) {
+  const std::uint32_t first = order_.released(robot);
+  const Berth at = released_->at(robot);
+  const std::span planned = order_.moves(robot);
+  if (leads_away(berths_, at, planned.subspan(first, moves - first))) return moves;
+  std::set<Berth> stood = {at};
+  if (const auto known = stood_.find(*makes_way_[robot]); known != stood_.end())
+    stood.insert(known->second.begin(), known->second.end());
+  std::uint32_t move = first;
+  while (move < moves && stood.insert(planned[move].arc->to).second) ++move;
   return move;
 }
 
@@ -216,8 +234,21 @@ bool Planner::is_safe(std::uint32_t robot, const std::vector<PlaceId>& ahead) {
 }
 
 void Planner::release(std::uint32_t robot, std::uint32_t moves) {
+  if (makes_way_[robot]) note_stood(robot, moves);
   order_.release(robot, moves);
   if (moves > 0) released_->put(robot, order_.moves(robot)[moves - 1].arc->to);
+}
+
+/// Remembers where a robot that makes way stood, until it gets away from there.
+void Planner::note_stood(std::uint32_t robot, std::uint32_t moves) {
+  const std::uint32_t first = order_.released(robot);
+  const Berth at = released_->at(robot);
+  const auto made = std::span(order_.moves(robot)).subspan(first, moves - first);
+  std::vector<Berth>& stood = stood_[*makes_way_[robot]];
+  if (leads_away(berths_, at, made))
+    stood.clear();
+  else
+    stood.push_back(at);
 }
 
 PlannedWay Planner::way(std::uint32_t robot, std::uint32_t first, std::uint32_t last) const {

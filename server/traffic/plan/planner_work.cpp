@@ -184,6 +184,14 @@ void Planner::end_with(MovePlan plan) {
   order_ = PlanOrder(std::move(plan));
   released_.emplace(berths_, lanes_);
   for (const PlanRobot& robot : making_->robots) released_->add({robot.at, robot.methods}, robot.is_gridlocked);
+  makes_way_.clear();
+  std::map<RobotId, std::vector<Berth>> stood;
+  for (const PlanRequest& request : making_->requests) {
+    makes_way_.push_back(request.goal ? std::nullopt : std::optional(request.robot));
+    const auto known = stood_.find(request.robot);
+    if (!request.goal && known != stood_.end()) stood.insert(std::move(*known));
+  }
+  stood_ = std::move(stood);
   forget_unused();
   making_.reset();
 }
