@@ -330,6 +330,7 @@ void Ledger::body_moved(const RobotId& robot) {
   if (stance.led || stance.drives) mine.unheard = false;
   mine.led = stance.led;
   if (moves || stance.led || !is_at_work(mine)) mine.stands_since = now_;
+  if (stance.drives) mine.drove = now_;
   if (stance.drives) check_driver(robot, mine);
   for (const Contacts::Touch& touch : touches) {
     const Robot& other = robots.at(touch.other);

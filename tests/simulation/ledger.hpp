@@ -50,6 +50,7 @@ class Ledger {
     bool ended_while_struck = false;         ///< its agent did
     std::vector<storage::BatchKey> spooled;  ///< on its disk, with places
     SteadyTime heard{};                      ///< by the server, last
+    SteadyTime drove{};                      ///< by itself, last
     SteadyTime stands_since{};               ///< it has not moved, was told nothing new, and was at work
   };
   /// Keeps what breaks of the invariants `told` apart: it is no violation.

@@ -66,7 +66,8 @@ void Ledger::look_at_goals(const storage::MemoryDisk& disk, bool is_served) {
   }
 }
 
-/// Checks that no goal is driven by two robots.
+/// Checks that no goal is driven by two robots. Who was not heard for long and stands where it was released to is
+/// told of the hand-over when it is heard again; until then it has the goal, and does not drive.
 void Ledger::check_driver(const RobotId& id, const Robot& robot) {
   if (robot.agent == nullptr) return;
   const std::optional<GoalId> goal = robot.had ? std::optional(robot.had->goal) : std::nullopt;
@@ -74,7 +75,8 @@ void Ledger::check_driver(const RobotId& id, const Robot& robot) {
   const auto [driver, is_new] = drivers_.emplace(*goal, id);
   if (is_new || driver->second == id) return;
   const Robot& other = robots.at(driver->second);
-  if (other.had && other.had->goal == *goal) {
+  const bool drives_too = now_ - other.drove < std::chrono::seconds(1) && !other.is_cut_off;
+  if (drives_too && other.had && other.had->goal == *goal) {
     broken("once", "goal " + to_string(*goal) + " is driven by " + robot.name + ", and " + other.name + " has it");
   }
   driver->second = id;
