@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kMostSeeds = 10'000;
 
-bool number_from(std::string_view text, std::uint64_t& into) {
+bool whole_number(std::string_view text, std::uint64_t& into) {
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), into);
   return problem == std::errc() && end == text.data() + text.size();
 }
@@ -97,9 +97,9 @@ Parsed parsed_particles(const CLI::App& app, ParticlesOptions options, const std
 Result<Seeds> parse_seeds(std::string_view text) {
   const std::size_t dots = text.find("..");
   Seeds seeds;
-  const bool good = dots == std::string_view::npos ? number_from(text, seeds.first) && number_from(text, seeds.last)
-                                                   : number_from(text.substr(0, dots), seeds.first) &&
-                                                         number_from(text.substr(dots + 2), seeds.last);
+  const bool good = dots == std::string_view::npos ? whole_number(text, seeds.first) && whole_number(text, seeds.last)
+                                                   : whole_number(text.substr(0, dots), seeds.first) &&
+                                                         whole_number(text.substr(dots + 2), seeds.last);
   if (!good) return fail(ErrorCode::invalid, "--seeds: '" + std::string(text) + "' is neither A..B nor one number");
   if (seeds.last < seeds.first || seeds.last - seeds.first >= kMostSeeds) {
     return fail(ErrorCode::invalid, "--seeds: '" + std::string(text) + "' is not between 1 and " +

@@ -22,14 +22,14 @@ constexpr double kAttemptEveryM = 0.10;  // looked for
 constexpr double kNearM = 0.30;          // a view farther from all places is not asked for a fix
 constexpr double kNearRad = 0.50;
 
-struct Kept {
+struct KeptPlace {
   std::size_t frame = 0;
   std::optional<FloorContent> content;  ///< none: refused
 };
 struct Run {
   Floor floor;  ///< as its agent would have it
   std::vector<Frame> frames;
-  std::vector<Kept> kept;
+  std::vector<KeptPlace> kept;
 };
 
 /// Reads the true poses of the run's frames, dropped ones included, in the order of driving.
@@ -103,11 +103,11 @@ std::string add_second(sim::Site& site) {
 
 std::vector<Attempt> attempts_of(const Run& taught, const Run& repeated) {
   std::vector<Attempt> attempts;
-  for (const Kept& now : repeated.kept) {
+  for (const KeptPlace& now : repeated.kept) {
     const Pose2& here = repeated.frames[now.frame].site_from_robot;
-    const Kept* nearest = nullptr;
+    const KeptPlace* nearest = nullptr;
     double best = kNearM;
-    for (const Kept& place : taught.kept) {
+    for (const KeptPlace& place : taught.kept) {
       const Pose2 apart = taught.frames[place.frame].site_from_robot.inverse() * here;
       const double away = std::hypot(apart.x, apart.y);
       if (!place.content || away > best || std::abs(apart.heading) > kNearRad) continue;
