@@ -79,6 +79,16 @@ TEST_F(PlannerTest, NobodyIsLedUpToWhereADeadRobotHoldsAnything) {
   }
 }
 
+TEST_F(PlannerTest, WhoMakesWayWhereTheMapHasNoPlaceAnyMoreStays) {
+  lay_out();
+  requests.push_back(requests.front());
+  requests.back().robot = RobotId{2, 2};
+  requests.back().held = {SurveyedSite::place(run + 100, 0)};
+  requests.back().goal.reset();
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(planner.may(1, 0), 0U);
+}
+
 /// Arranges an aisle that is driven both ways, with a loop off it that comes back to where it begins: one that wants
 /// to the aisle's far end, and an idle one in there that faces it.
 struct LoopTest : PlannerTest {

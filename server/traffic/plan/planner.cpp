@@ -242,6 +242,7 @@ void Planner::release(std::uint32_t robot, std::uint32_t moves) {
 /// Remembers where a robot that makes way stood, until it gets away from there.
 void Planner::note_stood(std::uint32_t robot, std::uint32_t moves) {
   const std::uint32_t first = order_.released(robot);
+  if (moves <= first) return;
   const Berth at = released_->at(robot);
   const auto made = std::span(order_.moves(robot)).subspan(first, moves - first);
   std::vector<Berth>& stood = stood_[*makes_way_[robot]];
