@@ -52,7 +52,7 @@ void CommandLag::go_on(Candidate& candidate, double elapsed_s) const {
   candidate.moved = {};
   double ends_s = 0.0;  // before now, where a command's time ends
   for (const Commanded& one : commanded_) ends_s += one.for_s;
-  // What is done between `elapsed` ago and now was commanded a delay earlier.
+  // The base does between `elapsed` ago and now what was commanded a delay earlier.
   const double from_s = candidate.delay_s + elapsed_s;
   const double to_s = candidate.delay_s;
   const double unknown_s = std::clamp(from_s - ends_s, 0.0, from_s - to_s);  // before the first command: it stood

@@ -58,7 +58,7 @@ Beam beam_of(const PseudoScanConfig& config, Bin& bin, double bearing_rad) {
     return beam;
   }
   beam.clear_m = floor_m;
-  // Where the floor ends for want of range, nothing is said of a wall.
+  // A floor that ends for want of range tells nothing of a wall.
   if (floor_m <= 0.0 || floor_m > config.range_m - 2.0 * config.floor_gap_m || bin.has_drop) return beam;
   beam.kind = Beam::Return::floor_edge;
   beam.range_m = floor_m;

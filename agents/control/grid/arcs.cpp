@@ -36,7 +36,7 @@ struct Along {
 };
 
 Along look_along(const ArcConfig& config, const RoomToDrive& room, const Pose2& chart_from_robot, const Twist& arc) {
-  // As far as the horizon, and as the robot needs to stop; a step is at most a cell long.
+  // Steps reach to the horizon, and as far as the robot needs to stop; each is at most a cell long.
   const double metres = std::max(arc.linear_m_s * config.horizon_s, stop_distance_m(config, arc.linear_m_s));
   const int steps = std::max(1, static_cast<int>(std::ceil(metres / room.clearance().raster.cell_m)));
   const double time_s = metres / arc.linear_m_s / static_cast<double>(steps);

@@ -161,7 +161,7 @@ OrUnseen<DisparityMap> match_disparity(const DisparityConfig& config, const Ster
   while (told != map.sixteenths.data() + map.sixteenths.size()) tell();
   remove_speckles(map.sixteenths, width, config.least_patch_px,
                   static_cast<int>(std::lround(16.0 * config.patch_step_px)), DisparityMap::none);
-  // Of two views that have nothing in common patches agree by chance; they are small.
+  // Patches of two views that have nothing in common agree by chance; they are small.
   const double matched = density(map) * static_cast<double>(map.sixteenths.size());
   const double share = textured > 0 ? matched / static_cast<double>(textured) : 1.0;
   if (share < config.least_matched) return tl::unexpected(Unseen{"decorrelated", share, config.least_matched});

@@ -190,7 +190,7 @@ OrUnseen<SeenMotion> StereoOdometry::observe(State& state, const StereoPair& pai
   }
   if (!fit) {
     state.camera_rate.reset();
-    // What it saw may be gone for good; what it has now must not be less.
+    // The old keyframe may be out of sight for good; the new one must not have less.
     state.is_newest = begin_keyframe(state, left, pair.right, std::max(had, 2 * config_.fewest_inliers));
     return tl::unexpected(fit.error());
   }

@@ -1,4 +1,4 @@
-// What a pair sees beside plain OpenCV on the same rendered pairs, one thread. Not part of ctest; run
+// Measures what a pair sees beside plain OpenCV on the same rendered pairs, one thread. Not part of ctest; run
 // build/<preset>/bin/stereo_bench.
 #include <benchmark/benchmark.h>
 

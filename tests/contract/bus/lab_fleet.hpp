@@ -31,7 +31,7 @@ class LabTest : public testing::TestWithParam<Pairing> {
   std::string hosts_;  ///< stands in for the robot's /etc/hosts
 };
 
-/// Turns until it holds, or half a minute is over: false.
+/// Turns until it holds, or three minutes are over: false.
 bool until(const std::function<bool()>& holds);
 /// Returns whether the link hears a hello of the peer.
 bool hears(bus::Link& link, const PeerId& peer);

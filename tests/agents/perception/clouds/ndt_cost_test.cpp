@@ -63,7 +63,7 @@ TEST_F(NdtCosts, CloudsThatDoNotMeetCostNothing) {
 }
 
 TEST_F(NdtCosts, TheScatterOfTheGradientIsThatOfRepeatedScans) {
-  // Of clouds seen anew: the gradient's own covariance over seeds beside the one that is computed of one.
+  // Compares the gradient's covariance over clouds seen anew, by seeds, with the one computed of one cloud.
   const Pose3 truth = a_from_b * off_by;
   Matrix6d scatter = Matrix6d::Zero();
   Matrix6d stated = Matrix6d::Zero();

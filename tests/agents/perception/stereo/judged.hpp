@@ -1,5 +1,5 @@
 #pragma once
-// What a disparity map is worth, and OpenCV's beside it.
+// Judges a disparity map, and OpenCV's beside it.
 #include <cmath>
 #include <cstddef>
 #include <opencv2/calib3d.hpp>
