@@ -180,7 +180,8 @@ TEST(AgentOptions, SettingsThatContradictEachOtherAreNamedWithTheirFile) {
 }
 
 TEST(AgentOptions, TheExampleOfThePackageIsGood) {
-  const auto result = parsed({"--state", "s", "--site", "x", "--config", WEFT_SITES "/../packages/agent.toml"});
+  const std::string file = std::string(WEFT_SITES) + "/../packages/agent.toml";
+  const auto result = parsed({"--state", "s", "--site", "x", "--config", file});
   ASSERT_TRUE(std::holds_alternative<Options>(result)) << std::get<Leave>(result).text;
   EXPECT_EQ(std::get<Options>(result).servers, std::vector<std::string>{"10.0.0.5"});
 }
