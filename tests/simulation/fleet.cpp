@@ -304,12 +304,12 @@ void Fleet::sample(RobotProcess& robot) {
 }
 
 void Fleet::carry_out(RobotProcess& robot, agents::AgentOutput output) {
+  look_at_spool(robot);  // what was refused in this step is why what follows is sent
   for (const msg::Message& message : output.send) {
     record(message);
     ledger_.agent_sent(robot.id, message);
     if (const auto sent = robot.wire.link->send(message); !sent) check_not_sent(sent.error());
   }
-  look_at_spool(robot);
   if (output.hand_stop) robot.body->stop_hand();
   if (output.hand_start) {
     const Result<void> answer = robot.body->drive_by_hand(*output.hand_start);

@@ -53,7 +53,11 @@ void Ledger::agent_sent(const RobotId& robot, const msg::Message& message) {
   if (const auto* request = std::get_if<msg::WindowRequest>(&message)) by.wants = request->definition;
   if (const auto* progress = std::get_if<msg::RouteProgress>(&message)) by.progress = *progress;
   note_stops(by, message);
-  if (by.state.experience) runs_[by.state.experience].taught_in = by.state.header.incarnation;
+  if (by.state.experience) {
+    Run& run = runs_[by.state.experience];
+    run.taught_in = by.state.header.incarnation;
+    run.was_refused = run.was_refused || by.struck == now_;
+  }
   if (const auto* sent = std::get_if<msg::ExperienceBatch>(&message)) {
     check_draft(by, *sent);
     const auto [known, first] = sent_[sent->batch.experience].emplace(sent->batch.sequence, sent->batch);
