@@ -126,6 +126,18 @@ TEST_F(LoopTest, WhoWasLedOffForAnIdleRobotDoesNotFindItThereAgain) {
   EXPECT_EQ(planner.order().moves(1).size(), 0U) << "nobody wants to go by any more";
 }
 
+TEST_F(LoopTest, WhoIsLedOffForAnIdleRobotIsReleasedLittleAtATime) {
+  Planner ahead{proximity, {.steps = 30, .handling = 5}};
+  const auto plan = [&] { return ahead.plan({shared(site.network()), &rules}, 0.3, requests); };
+  ASSERT_TRUE(plan());
+  requests.front().held = {SurveyedSite::place(loop, 4)};
+  ASSERT_TRUE(plan());
+  EXPECT_LE(ahead.may(0, 0), 8U) << "it would hold all of the round, and the idle one could not drive out";
+  requests.pop_back();
+  ASSERT_TRUE(plan());
+  EXPECT_GT(ahead.may(0, 0), 8U) << "nobody else is to move";
+}
+
 /// Arranges a dead robot in an aisle that branches off a lane, one before its mouth that would go by it, and one that
 /// comes behind that along the lane.
 struct CutOffTest : PlannerTest {

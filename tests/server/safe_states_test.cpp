@@ -8,6 +8,7 @@
 namespace weft::server::test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -64,6 +65,17 @@ TEST_F(SafeStatesTest, WhoLeavesIsNotLookedAt) {
   states.add({southern_block(), 0});
   EXPECT_THAT(states.stuck_by(3, south(), {1}), IsEmpty());
   EXPECT_THAT(states.stuck_by(3, south(), {}), ElementsAre(0, 1, 2, 3)) << "it is back where it stands";
+}
+
+TEST_F(SafeStatesTest, WaysOverWhereOneLeavesAreForgottenWhenItIsBack) {
+  states.add({west(), 0});
+  states.add({east(), 0});
+  states.add({north(), 0});
+  states.add({southern_block(), 0});
+  states.add({graph.at(9, 11, Heading::south), 0});
+  ASSERT_THAT(states.stuck_by(3, graph.at(9, 13, Heading::north), {1}), Contains(4)) << "they are face to face";
+  states.put(4, kNoBerth);
+  EXPECT_THAT(states.stuck_by(3, south(), {}), ElementsAre(0, 1, 2, 3));
 }
 
 TEST_F(SafeStatesTest, WhatWasRefusedIsAllowedOnceOneHasLeft) {

@@ -67,8 +67,8 @@ class Planner {
   PlannedWay way(std::uint32_t robot, std::uint32_t first, std::uint32_t last) const;
   /// Returns how many of its planned moves the robot may be released now, those included that have been; `held`
   /// berths of what it was released lie ahead of it. Follows the plan's order, and releases little at a time while
-  /// others move, as what the robot holds is in their way. One without a goal does not go to and fro between berths
-  /// that touch one another.
+  /// others move, or are to make way, as what the robot holds is in their way. One without a goal does not go to and
+  /// fro between berths that touch one another.
   std::uint32_t may(std::uint32_t robot, std::uint32_t held);
   /// Returns the robots that this one waits for, as `PlanOrder::waits_for`; when the order lets it move, those that
   /// have not yet reached where the plan has them, so that its move would have to be taken back.
@@ -148,7 +148,7 @@ class Planner {
   std::vector<std::uint32_t> methods_;             ///< of each robot of the plan
   std::vector<std::optional<RobotId>> makes_way_;  ///< of each: who it is, where it has no goal
   std::map<RobotId, std::vector<Berth>> stood_;    ///< where robots without a goal stood that did not get away yet
-  std::uint32_t moving_ = 0;                       ///< robots that have a goal
+  std::uint32_t moving_ = 0;                       ///< robots that have a goal, or keep one that has
   std::set<Key> used_;
   /// Names whom a robot without a goal was found to keep from going where, by the plan before: that one may have been
   /// led off by now, to where no plan finds it kept before it has come back.

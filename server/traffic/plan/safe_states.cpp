@@ -28,7 +28,11 @@ void SafeStates::put(std::uint32_t robot, Berth at) {
   if (robots_[robot].berth == at) return;
   place(robot, at);
   ways_out_[robot].is_known = false;
-  for (WaysOut& ways : ways_out_) ways.is_known = ways.is_known && !has(ways.touched, at);
+  forget_ways_over(at);
+}
+
+void SafeStates::forget_ways_over(Berth berth) {
+  for (WaysOut& ways : ways_out_) ways.is_known = ways.is_known && !has(ways.touched, berth);
 }
 
 void SafeStates::place(std::uint32_t robot, Berth at) {
@@ -155,7 +159,10 @@ std::vector<std::uint32_t> SafeStates::stuck_by(std::uint32_t robot, Berth to,
   for (const std::uint32_t other : leaving) set_away(other, true);
   std::vector<std::uint32_t> newly;
   if (!would_get_away(robot, to)) newly = newly_stuck(robot, to);
-  for (const std::uint32_t other : leaving) set_away(other, false);
+  for (const std::uint32_t other : leaving) {
+    set_away(other, false);
+    forget_ways_over(robots_[other].berth);
+  }
   if (newly.size() == 1 && newly.front() == robot) newly = with_blockers(robot, to);
   if (is_gridlocked_[robot]) std::erase_if(newly, [&](std::uint32_t other) { return is_gridlocked_[other]; });
   return newly;

@@ -47,6 +47,7 @@ class SafeStates {
   std::vector<std::uint32_t> newly_stuck(std::uint32_t robot, Berth to);
   std::vector<std::uint32_t> stuck_around(std::vector<std::uint32_t> robots);
   void place(std::uint32_t robot, Berth at);
+  void forget_ways_over(Berth berth);
   void set_away(std::uint32_t robot, bool is_away);
   void look(std::uint32_t robot);
   bool leaves(std::uint32_t robot, std::vector<std::uint32_t>& away);
