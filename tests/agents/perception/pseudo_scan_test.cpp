@@ -23,7 +23,7 @@ void lay_floor(Points& points, double bearing_rad, double from_m, double to_m) {
   for (double range = from_m; range <= to_m; range += 0.05) stand(points, bearing_rad, range, 0.0, 0.0, 2);
 }
 
-const Beam& beam_at(const Scan& scan, double bearing_rad) {
+Beam beam_at(const Scan& scan, double bearing_rad) {
   const Beam* nearest = &scan.beams.front();
   for (const Beam& beam : scan.beams)
     if (std::abs(beam.bearing_rad - bearing_rad) < std::abs(nearest->bearing_rad - bearing_rad)) nearest = &beam;
@@ -45,7 +45,7 @@ TEST(PseudoScan, TakesTheThirdClosestPointOfABin) {
   stand(points, kLeft, 1.0, 0.5, 0.6, 2);  // two that fly
   stand(points, kLeft, 2.0, 0.5, 0.6, 2);
   stand(points, kLeft, 2.5, 0.5, 1.4, 5);
-  const Beam& beam = beam_at(pseudo_scan({}, points, {}), kLeft);
+  const Beam beam = beam_at(pseudo_scan({}, points, {}), kLeft);
   EXPECT_EQ(beam.kind, Beam::Return::obstacle);
   EXPECT_NEAR(beam.range_m, 2.0, 1e-3);
   EXPECT_NEAR(beam.clear_m, 2.0, 1e-3);
@@ -60,7 +60,7 @@ TEST(PseudoScan, OnlyTheSliceReturns) {
 }
 
 TEST(PseudoScan, ARayWithoutAReturnIsNotFree) {
-  const Beam& beam = beam_at(pseudo_scan({}, {}, {}), kLeft);
+  const Beam beam = beam_at(pseudo_scan({}, {}, {}), kLeft);
   EXPECT_EQ(beam.kind, Beam::Return::none);
   EXPECT_EQ(beam.clear_m, 0.0);
 }
@@ -69,7 +69,7 @@ TEST(PseudoScan, ARayWithoutAReturnIsFreeAsFarAsFloorWasSeenWithoutAGap) {
   Points points;
   lay_floor(points, kLeft, 0.8, 2.0);
   lay_floor(points, kLeft, 2.6, 4.0);
-  const Beam& beam = beam_at(pseudo_scan({}, points, {}), kLeft);
+  const Beam beam = beam_at(pseudo_scan({}, points, {}), kLeft);
   EXPECT_NEAR(beam.clear_m, 2.0, 0.051);
   Points far;
   lay_floor(far, kLeft, 2.6, 4.0);
@@ -79,7 +79,7 @@ TEST(PseudoScan, ARayWithoutAReturnIsFreeAsFarAsFloorWasSeenWithoutAGap) {
 TEST(PseudoScan, TheFarEdgeOfSeenFloorIsAWeakReturn) {
   Points points;
   lay_floor(points, kLeft, 0.8, 2.5);
-  const Beam& beam = beam_at(pseudo_scan({}, points, {}), kLeft);
+  const Beam beam = beam_at(pseudo_scan({}, points, {}), kLeft);
   EXPECT_EQ(beam.kind, Beam::Return::floor_edge);
   EXPECT_NEAR(beam.range_m, 2.5, 0.051);
   EXPECT_GT(beam.sigma_m, 0.25);
@@ -94,7 +94,7 @@ TEST(PseudoScan, ADropEndsWhatIsFreeThoughAWallReturnsBehindIt) {
   lay_floor(points, kLeft, 0.8, 1.5);
   stand(points, kLeft, 2.2, -0.5, -0.3);
   stand(points, kLeft, 3.5, 0.2, 1.4);
-  const Beam& beam = beam_at(pseudo_scan({}, points, {}), kLeft);
+  const Beam beam = beam_at(pseudo_scan({}, points, {}), kLeft);
   EXPECT_NEAR(beam.range_m, 3.5, 1e-3);
   EXPECT_NEAR(beam.clear_m, 1.5, 0.051);
 }
