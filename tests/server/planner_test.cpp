@@ -127,15 +127,14 @@ TEST_F(LoopTest, WhoWasLedOffForAnIdleRobotDoesNotFindItThereAgain) {
 }
 
 TEST_F(LoopTest, WhoIsLedOffForAnIdleRobotIsReleasedLittleAtATime) {
-  Planner ahead{proximity, {.steps = 30, .handling = 5}};
-  const auto plan = [&] { return ahead.plan({shared(site.network()), &rules}, 0.3, requests); };
+  const auto plan = [&] { return planner.plan({shared(site.network()), &rules}, 0.3, requests); };
   ASSERT_TRUE(plan());
-  requests.front().held = {SurveyedSite::place(loop, 4)};
+  requests.front().held = {SurveyedSite::place(loop, 20)};
   ASSERT_TRUE(plan());
-  EXPECT_LE(ahead.may(0, 0), 8U) << "it would hold all of the round, and the idle one could not drive out";
+  EXPECT_LE(planner.may(0, 0), 8U) << "it would hold all of the round, and the idle one could not drive out";
   requests.pop_back();
   ASSERT_TRUE(plan());
-  EXPECT_GT(ahead.may(0, 0), 8U) << "nobody else is to move";
+  EXPECT_GT(planner.may(0, 0), 8U) << "nobody else is to move";
 }
 
 /// Arranges a dead robot in an aisle that branches off a lane, one before its mouth that would go by it, and one that

@@ -51,6 +51,7 @@ struct MovePlan {
   std::vector<std::vector<PlannedMove>> moves;
   std::vector<std::vector<std::uint32_t>> kept_by;  ///< of each, the robots that keep it where it stands at first
   std::vector<std::optional<Meeting>> sent_on;      ///< of each, whom it was found to keep from where, at last
+  std::uint32_t to_make_way = 0;                    ///< robots in others' way when it begins that can drive out of it
   std::uint64_t pushes = 0;                         ///< robots that were asked to make way
   std::uint64_t asked_several = 0;                  ///< of these, together with others: there PIBT gives no guarantee
 };

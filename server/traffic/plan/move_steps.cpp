@@ -54,6 +54,7 @@ MovePlan MoveSteps::take() {
   for (RobotInStep& state : states_) {
     plan_.kept_by.push_back(std::move(state.kept_by));
     plan_.sent_on.push_back(state.sent_on);
+    if (state.has_way_out) ++plan_.to_make_way;
   }
   return std::move(plan_);
 }

@@ -65,8 +65,9 @@ class MoveSteps {
   // move_wishes.cpp: what a robot wishes in a step
   bool wish(std::uint32_t robot, std::uint32_t asker);
   bool choose(std::uint32_t robot, std::uint32_t asker);
-  bool keeps_from(std::uint32_t robot, const Meeting& other);
   bool would_keep_from(std::uint32_t robot, const PlanRobot& there, const Meeting& other);
+  template <class IsOut>
+  const BerthArc* way_out(std::uint32_t robot, IsOut&& is_out);
   template <class IsOut>
   bool clears(std::uint32_t robot, IsOut&& is_out);
   bool is_closed(std::uint32_t robot, const BerthArc& arc);

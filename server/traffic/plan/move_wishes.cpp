@@ -32,10 +32,17 @@ bool MoveSteps::choose(std::uint32_t robot, std::uint32_t asker) {
     ++plan_.pushes;
     return clears(robot, [&](const PlanRobot& there) { return !turns_.is_in_a_mouth(there); });
   }
-  if (state.robot.goal == nullptr && !state.leaves && state.sent_on && keeps_from(robot, *state.sent_on)) {
-    ++plan_.pushes;
+  if (state.robot.goal == nullptr && !state.leaves && state.sent_on) {
     const Meeting other = *state.sent_on;
-    return clears(robot, [&](const PlanRobot& there) { return !would_keep_from(robot, there, other); });
+    const auto is_out = [&](const PlanRobot& there) { return !would_keep_from(robot, there, other); };
+    const bool is_first = step_ == 0;
+    const bool can_now = !meetings_.are_face_to_face(robot, other.robot);
+    const bool is_in_the_way = (can_now || is_first) && !is_out(state.robot);
+    if (is_first) state.has_way_out = is_in_the_way && way_out(robot, is_out) != nullptr;
+    if (is_in_the_way && can_now) {
+      ++plan_.pushes;
+      return clears(robot, is_out);
+    }
   }
   if (goes(robot, kNobody)) return true;
   std::vector<std::uint32_t> kept_in;
@@ -50,12 +57,8 @@ bool MoveSteps::choose(std::uint32_t robot, std::uint32_t asker) {
   });
 }
 
-/// Returns whether the robot, where it stands, keeps the other one from going there, and could make way.
-bool MoveSteps::keeps_from(std::uint32_t robot, const Meeting& other) {
-  return !meetings_.are_face_to_face(robot, other.robot) && would_keep_from(robot, states_[robot].robot, other);
-}
-
-/// Returns whether it would from there: they meet, or it would be stuck when that one went where it would.
+/// Returns whether the robot keeps the other one, from there, from going where it would: they meet, or the robot
+/// would be stuck when that one went there.
 bool MoveSteps::would_keep_from(std::uint32_t robot, const PlanRobot& there, const Meeting& other) {
   if (meetings_.would_keep_from({there.at, there.methods}, other)) return true;
   if (!safe_.concern(other.robot, other.to, {there.at, there.methods})) return false;
@@ -65,19 +68,25 @@ bool MoveSteps::would_keep_from(std::uint32_t robot, const PlanRobot& there, con
   return std::binary_search(stuck.begin(), stuck.end(), robot);
 }
 
-/// Has the robot drive on to where it is out of others' way, its goal or not, round those that cannot make way.
+/// Returns the first drive of the robot's way to where it is out of others' way, its goal or not, round those that
+/// cannot make way; null: there is none.
+template <class IsOut>
+const BerthArc* MoveSteps::way_out(std::uint32_t robot, IsOut&& is_out) {
+  PlanRobot there = states_[robot].robot;
+  return drive_out(graph_, {.from = there.at,
+                            .methods = there.methods,
+                            .is_closed = [&](const BerthArc& arc) { return is_closed(robot, arc); },
+                            .is_out =
+                                [&](Berth berth) {
+                                  there.at = berth;
+                                  return is_out(there);
+                                }});
+}
+
+/// Has the robot drive on to where it is out of others' way.
 template <class IsOut>
 bool MoveSteps::clears(std::uint32_t robot, IsOut&& is_out) {
-  PlanRobot there = states_[robot].robot;
-  const BerthArc* const first =
-      drive_out(graph_, {.from = there.at,
-                         .methods = there.methods,
-                         .is_closed = [&](const BerthArc& arc) { return is_closed(robot, arc); },
-                         .is_out =
-                             [&](Berth berth) {
-                               there.at = berth;
-                               return is_out(there);
-                             }});
+  const BerthArc* const first = way_out(robot, is_out);
   return first != nullptr &&
          (set_off(robot, *first, Care::off_all_ways) || set_off(robot, *first, Care::off_where_they_end));
 }

@@ -148,7 +148,7 @@ class Planner {
   std::vector<std::uint32_t> methods_;             ///< of each robot of the plan
   std::vector<std::optional<RobotId>> makes_way_;  ///< of each: who it is, where it has no goal
   std::map<RobotId, std::vector<Berth>> stood_;    ///< where robots without a goal stood that did not get away yet
-  std::uint32_t moving_ = 0;                       ///< robots that have a goal, or keep one that has
+  std::uint32_t moving_ = 0;                       ///< robots that have a goal, or are to make way
   std::set<Key> used_;
   /// Names whom a robot without a goal was found to keep from going where, by the plan before: that one may have been
   /// led off by now, to where no plan finds it kept before it has come back.

@@ -181,7 +181,7 @@ void Planner::end_with(MovePlan plan) {
   pushes_ += plan.pushes;
   asked_several_ += plan.asked_several;
   note_sent_on(plan);
-  moving_ += static_cast<std::uint32_t>(sent_on_.size());
+  moving_ += plan.to_make_way;
   order_ = PlanOrder(std::move(plan));
   released_.emplace(berths_, lanes_);
   for (const PlanRobot& robot : making_->robots) released_->add({robot.at, robot.methods}, robot.is_gridlocked);
