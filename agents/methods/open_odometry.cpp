@@ -20,15 +20,17 @@ Step OpenOdometry::observe(State& state, const View* view, const Motion& motion)
   const auto* const pair = view != nullptr ? std::get_if<StereoPair>(&view->data) : nullptr;
   if (view != nullptr && pair == nullptr) reckoned.blind_reason = "not_a_pair";
   if (pair != nullptr) {
-    const auto is_possible = [&](const Pose3& step) { return agrees(config_.gate, obeyed, expected, project(step)); };
+    const auto is_possible = [&](const Pose3& step, const Pose3& assumed) {
+      return agrees(config_.gate, obeyed, project(assumed) * expected, project(step));
+    };
     const OrUnseen<SeenMotion> seen = stereo_.observe(state.seen, *pair, motion.elapsed, is_possible);
     if (seen) {
-      state.lag.learn(project(seen->previous_from_current.a_from_b));
+      if (!seen->makes_up) state.lag.learn(project(seen->previous_from_current.a_from_b));
       return {seen->previous_from_current, true, {}};
     }
     reckoned.blind_reason = seen.error().reason;
   }
-  stereo_.assume(state.seen, std::get<Metric3>(compose(Metric3{}, reckoned.previous_from_current)));
+  stereo_.assume(state.seen, std::get<Metric3>(compose(Metric3{}, reckoned.previous_from_current)), motion.elapsed);
   return reckoned;
 }
 

@@ -92,6 +92,13 @@ Parsed parsed_particles(const CLI::App& app, ParticlesOptions options, const std
   return with_seeds(app, std::move(options), seeds);
 }
 
+StereoOptions parsed_stereo(StereoOptions options) {
+  if (!options.out.empty()) return options;
+  const std::filesystem::path folder = (options.folder / "x").lexically_normal().parent_path();
+  options.out = std::filesystem::path("out/stereo") / folder.filename();
+  return options;
+}
+
 }  // namespace
 
 Result<Seeds> parse_seeds(std::string_view text) {
@@ -133,6 +140,7 @@ Parsed parse(int argc, const char* const* argv) {
   std::string rooms_seeds;
   ParticlesOptions particles;
   std::string particles_seeds;
+  StereoOptions stereo;
   GenerateOptions generate;
   std::string disturbances_seeds;
   std::string foretold_seeds;
@@ -152,6 +160,7 @@ Parsed parse(int argc, const char* const* argv) {
   const CLI::App* const register_sub = describe(app, registered);
   const CLI::App* const rooms_sub = describe(app, rooms, rooms_seeds);
   const CLI::App* const particles_sub = describe(app, particles, particles_seeds);
+  const CLI::App* const stereo_sub = describe(app, stereo);
   describe(app, generate);
   try {
     app.parse(argc, argv);
@@ -172,6 +181,7 @@ Parsed parse(int argc, const char* const* argv) {
   if (register_sub->parsed()) return registered;
   if (rooms_sub->parsed()) return with_seeds(app, rooms, rooms_seeds);
   if (particles_sub->parsed()) return parsed_particles(app, std::move(particles), particles_seeds);
+  if (stereo_sub->parsed()) return parsed_stereo(std::move(stereo));
   if (floor_sub->parsed()) return parsed_floor(app, floor);
   if (attempts_sub->parsed()) return with_seeds(app, attempts, attempts_seeds);
   if (relocalise_sub->parsed()) return with_seeds(app, relocalise, relocalise_seeds);

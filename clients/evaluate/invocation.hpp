@@ -21,6 +21,7 @@
 #include "clients/evaluate/particles/study.hpp"
 #include "clients/evaluate/registration/pair_study.hpp"
 #include "clients/evaluate/registration/rooms_study.hpp"
+#include "clients/evaluate/stereo/study.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate {
@@ -39,7 +40,7 @@ struct GenerateOptions {
 using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ForetoldOptions,
                             ReplayOptions, OdometryOptions, BearingOptions, BearingRelocaliseOptions, LearningOptions,
                             HeadingOptions, CeilingOptions, CeilingFramesOptions, RegisterOptions,
-                            RegisterRoomsOptions, ParticlesOptions, GenerateOptions, NotRun>;
+                            RegisterRoomsOptions, ParticlesOptions, StereoOptions, GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
 /// Reads "A..B", or one number. invalid: says what is wrong.

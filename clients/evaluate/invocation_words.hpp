@@ -61,6 +61,7 @@ CLI::App* describe(CLI::App& app, CeilingFramesOptions& options);
 CLI::App* describe(CLI::App& app, RegisterOptions& options);
 CLI::App* describe(CLI::App& app, RegisterRoomsOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, ParticlesOptions& options, std::string& seeds);
+CLI::App* describe(CLI::App& app, StereoOptions& options);
 CLI::App* describe(CLI::App& app, GenerateOptions& generate);
 
 }  // namespace weft::evaluate

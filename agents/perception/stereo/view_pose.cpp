@@ -1,7 +1,7 @@
 #include "agents/perception/stereo/view_pose.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -83,14 +83,16 @@ int draws_for(double share) {
   return static_cast<int>(std::ceil(std::log(1e-4) / std::log(1.0 - all_three)));
 }
 
-/// Holds what one point has to say of a pose.
+/// Holds what one point has to say of a pose: column, row and disparity at b.
 struct PointResidual {
   bool is_ahead = false;
-  Eigen::Vector2d off_px = Eigen::Vector2d::Zero();
-  Eigen::Matrix<double, 2, 6> by_xi = Eigen::Matrix<double, 2, 6>::Zero();  ///< of the predicted pixel
-  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  int rows = 2;  ///< 3: its disparity is known
+  Eigen::Vector3d off_px = Eigen::Vector3d::Zero();
+  Eigen::Matrix<double, 3, 6> by_xi = Eigen::Matrix<double, 3, 6>::Zero();  ///< of what is predicted
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 
-  double sigmas() const { return std::sqrt(std::max(0.0, off_px.dot(information * off_px))); }
+  /// Returns how many sigmas it is off, as if it had two rows.
+  double sigmas() const { return std::sqrt(std::max(0.0, 2.0 / rows * off_px.dot(information * off_px))); }
 };
 
 PointResidual residual_of(const StereoRig& rig, const SeenPoint& point, const PoseBounds& bounds,
@@ -100,21 +102,29 @@ PointResidual residual_of(const StereoRig& rig, const SeenPoint& point, const Po
   if (in_b.z() < kNearestM) return residual;
   residual.is_ahead = true;
   const double per_m = rig.focal_px / in_b.z();
+  const double disparity = rig.disparity_px(in_b.z());
   const Eigen::Vector2d seen(per_m * in_b.x() + rig.cx, per_m * in_b.y() + rig.cy);
-  residual.off_px = point.at_b - seen;
-  Eigen::Matrix<double, 2, 3> by_point;
+  residual.off_px.head<2>() = point.at_b - seen;
+  Eigen::Matrix3d by_point;
   by_point << per_m, 0.0, -per_m * in_b.x() / in_b.z(),  //
-      0.0, per_m, -per_m * in_b.y() / in_b.z();
+      0.0, per_m, -per_m * in_b.y() / in_b.z(),          //
+      0.0, 0.0, -disparity / in_b.z();
   // a_from_b * exp(xi) takes a point of b to b's frame moved by -xi: d in_b = -translation + in_b x rotation.
   residual.by_xi.leftCols<3>() = -by_point;
   for (int axis = 0; axis < 3; ++axis)
     residual.by_xi.col(3 + axis) = by_point * in_b.cross(Eigen::Vector3d::Unit(axis));
-  const Eigen::Vector2d by_disparity =
+  const Eigen::Vector3d by_disparity =
       by_point * (b_from_a.rotation * Eigen::Vector3d(-point.in_a / point.disparity_px));
   const double track2 = bounds.track_sigma_px * bounds.track_sigma_px;
   const double disparity2 = bounds.disparity_sigma_px * bounds.disparity_sigma_px;
-  Eigen::Matrix2d covariance = track2 * Eigen::Matrix2d::Identity();
-  covariance += disparity2 * by_disparity * by_disparity.transpose();
+  Eigen::Matrix3d covariance = disparity2 * by_disparity * by_disparity.transpose();
+  covariance.diagonal() += Eigen::Vector3d(track2, track2, disparity2);
+  if (!point.disparity_at_b_px) {
+    residual.information.topLeftCorner<2, 2>() = covariance.topLeftCorner<2, 2>().inverse();
+    return residual;
+  }
+  residual.rows = 3;
+  residual.off_px.z() = *point.disparity_at_b_px - disparity;
   residual.information = covariance.inverse();
   return residual;
 }
@@ -134,7 +144,7 @@ struct Normal {
   std::size_t count = 0;
 
   void add(const PointResidual& residual, double weight) {
-    const Eigen::Matrix<double, 6, 2> weighted = weight * residual.by_xi.transpose() * residual.information;
+    const Eigen::Matrix<double, 6, 3> weighted = weight * residual.by_xi.transpose() * residual.information;
     information += weighted * residual.by_xi;
     pull += weighted * residual.off_px;
     ++count;
@@ -195,12 +205,12 @@ std::optional<PoseFit> fit_pose(const StereoRig& rig, const std::vector<SeenPoin
   double squares = 0.0;
   for (const SeenPoint& point : points) {
     const PointResidual residual = residual_of(rig, point, bounds, fit.b_from_a);
-    const bool is_inlier =
-        residual.is_ahead && residual.sigmas() < cut * scale && residual.off_px.norm() < 2.0 * bounds.within_px;
+    const bool is_inlier = residual.is_ahead && residual.sigmas() < cut * scale &&
+                           residual.off_px.head<2>().norm() < 2.0 * bounds.within_px;
     fit.is_inlier.push_back(is_inlier);
     if (!is_inlier) continue;
     ++fit.inliers;
-    squares += residual.off_px.squaredNorm();
+    squares += residual.off_px.head<2>().squaredNorm();
   }
   if (fit.inliers < 6) return std::nullopt;
   fit.residual_px = std::sqrt(squares / static_cast<double>(fit.inliers));

@@ -14,13 +14,14 @@ struct SeenPoint {
   Eigen::Vector3d in_a = Eigen::Vector3d::Zero();  ///< the rig's camera frame
   double disparity_px = 1.0;                       ///< that it is made of
   Eigen::Vector2d at_b = Eigen::Vector2d::Zero();  ///< rectified pixel
+  std::optional<double> disparity_at_b_px = {};    ///< none: b's right image was not looked at
 };
 
 struct PoseBounds {
   double within_px = 2.0;            ///< a point agrees that is off by less
   int hypotheses = 150;              ///< drawn at most
   double track_sigma_px = 0.2;       ///< of a pixel at b
-  double disparity_sigma_px = 0.25;  ///< of a disparity at a
+  double disparity_sigma_px = 0.25;  ///< of a disparity
 };
 
 /// Holds where b is, as most points say.
@@ -41,7 +42,8 @@ struct PoseFit {
   double residual_px = 0.0;  ///< RMS of the inliers'
 };
 /// Fits the pose to all points from `start` on by Gauss-Newton with Tukey's weights. A point counts by its pixel's
-/// noise and by what its disparity's makes of it there: the further b is from a, the more it moves along its ray.
+/// noise, by its disparity's at b where that is known, and by what its disparity's at a makes of it there: the
+/// further b is from a, the more it moves along its ray.
 /// None: fewer than six count, or the points leave a direction open.
 std::optional<PoseFit> fit_pose(const StereoRig& rig, const std::vector<SeenPoint>& points, const PoseBounds& bounds,
                                 const Pose3& start);

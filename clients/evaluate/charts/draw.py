@@ -9,7 +9,8 @@ import sys
 
 MODULES = {'floor': 'floor', 'replay': 'replay', 'floor-attempts': 'floor_attempts', 'floor-relocalise': 'floor_relocalise',
            'bearing': 'bearing', 'bearing-relocalise': 'bearing_relocalise', 'disturbances': 'disturbances',
-           'ceiling': 'ceiling', 'particles': 'particles', 'particles-global': 'particles'}
+           'ceiling': 'ceiling', 'particles': 'particles', 'particles-global': 'particles',
+           'stereo': 'stereo'}
 
 
 def main(arguments):

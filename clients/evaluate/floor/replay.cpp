@@ -15,10 +15,10 @@
 #include "clients/evaluate/floor/alignment.hpp"
 #include "clients/evaluate/floor/driven_robot.hpp"
 #include "clients/evaluate/floor/measures.hpp"
+#include "clients/evaluate/recorded_truth.hpp"
 #include "clients/evaluate/study_file.hpp"
 #include "clients/evaluate/table.hpp"
 #include "clients/evaluate/taught_map.hpp"
-#include "storage/formats/trajectory.hpp"
 
 namespace weft::evaluate::floor {
 namespace {
@@ -28,22 +28,6 @@ using namespace agents;
 constexpr ExperienceId kMapped{1};
 constexpr RobotId kRecorder{{1}};
 constexpr std::size_t kProgressEvery = 500;  // images
-
-Result<std::optional<formats::Trajectory>> trajectory_of(const std::filesystem::path& recording,
-                                                         const std::filesystem::path& given) {
-  std::filesystem::path file = given;
-  for (const char* const usual :
-       {"groundtruth_tum.txt", "groundtruth.txt", "mav0/state_groundtruth_estimate0/data.csv"}) {
-    if (file.empty() && std::filesystem::is_regular_file(recording / usual)) file = recording / usual;
-  }
-  if (file.empty()) return std::optional<formats::Trajectory>();
-  const Result<std::string> text = read_text(file, "trajectory file");
-  if (!text) return fail(text.error());
-  auto read = file.extension() == ".csv" ? formats::read_euroc_csv(*text, file.string())
-                                         : formats::read_tum(*text, file.string());
-  if (!read) return fail(read.error());
-  return std::optional(std::move(read->value));
-}
 
 Result<DrivenRobot> robot_of(const std::filesystem::path& recording, const ReplayOptions& options,
                              const Surroundings& around) {
@@ -234,7 +218,7 @@ Result<void> report(const ReplayOptions& options, const std::vector<Number>& num
 }  // namespace
 
 Result<Ended> replay_floor(const ReplayOptions& options, const Surroundings& around) {
-  const auto trajectory = trajectory_of(options.recording, options.truth);
+  const auto trajectory = recorded_truth(options.recording, options.truth);
   if (!trajectory) return fail(trajectory.error());
   std::error_code problem;
   std::filesystem::create_directories(options.out, problem);

@@ -79,6 +79,33 @@ TEST(OpenOdometry, WhatCommandsCannotHaveCausedIsBlind) {
   EXPECT_EQ(step.blind_reason, "impossible");
 }
 
+TEST(OpenOdometry, SeenAgainItMakesUpForALongBlindStretchThatWasAssumedWrongly) {
+  const Sensor sensor = test::stereo_sensor(320, 240, 208.0, 0.12);
+  const test::StereoRoom room = test::crate_room();
+  const OpenOdometry odometry = std::move(*OpenOdometry::make({}, sensor));
+  OpenOdometry::State state;
+  const auto view_at = [&](const Pose2& at, double light) {
+    View view;
+    test::StereoShot shot;
+    shot.gain = light;
+    view.data = room.pair(sensor, lift(at), shot);
+    return view;
+  };
+  const Motion commanded{100ms, {0.5, 0.0}, std::nullopt};
+  Relation start_from_robot = Metric3{};
+  Pose2 at{1.0, 0.0, -0.1};
+  for (int i = 0; i < 10; ++i) {
+    const bool is_dark = i >= 2 && i < 9;
+    at =
+        at * se2_exp({i == 0 ? 0.0 : 0.025, 0.0, 0.0});  // half of what was commanded: it is off by 0.2 m in the dark
+    const View view = view_at(at, is_dark ? 0.02 : 1.0);
+    const Step step = odometry.observe(state, &view, commanded);
+    EXPECT_EQ(step.seen, i > 0 && !is_dark) << i << step.blind_reason;
+    if (i > 0) start_from_robot = compose(start_from_robot, step.previous_from_current);
+  }
+  EXPECT_NEAR(planar(start_from_robot).x, 9 * 0.025, 0.01);
+}
+
 TEST(OpenOdometry, WhatIsNoPairIsNamed) {
   OpenDrive drive;
   EXPECT_EQ(drive.without_view().blind_reason, "dropped_frame");

@@ -1,7 +1,9 @@
 // Dense disparity beside OpenCV's semi-global matcher on the same rendered pairs, one thread.
 #include <opencv2/calib3d.hpp>
 
+#include "agents/perception/opencv_view.hpp"
 #include "agents/perception/stereo/disparity.hpp"
+#include "clients/evaluate/stereo/sgbm.hpp"
 #include "tests/agents/perception/stereo/judged.hpp"
 #include "tests/bench/times.hpp"
 #include "tests/bench/topometric/stereo_bench_views.hpp"
@@ -52,7 +54,7 @@ BENCHMARK(weft_disparity)->Args({320, 48})->Args({640, 64})->Iterations(48)->Uni
 void opencv_sgbm_3way(benchmark::State& state) {
   const StereoViews& views = stereo_views(static_cast<int>(state.range(0)));
   const int disparities = static_cast<int>(state.range(1));
-  const cv::Ptr<cv::StereoSGBM> matcher = test::sgbm_matcher(disparities);
+  const cv::Ptr<cv::StereoSGBM> matcher = evaluate::stereo::sgbm_matcher(disparities);
   std::size_t i = 0;
   Worth worth;
   Times times;
@@ -61,7 +63,7 @@ void opencv_sgbm_3way(benchmark::State& state) {
     const StereoPair& pair = views.pairs[at];
     cv::Mat disparity;
     times.measure([&] { matcher->compute(as_mat(pair.left), as_mat(pair.right), disparity); });
-    worth.add(test::judged(test::sgbm_map(disparity), views.rig, views.depth_m[at], disparities));
+    worth.add(test::judged(evaluate::stereo::sgbm_map(disparity), views.rig, views.depth_m[at], disparities));
   }
   times.report(state);
   worth.report(state);

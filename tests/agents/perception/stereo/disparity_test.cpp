@@ -8,6 +8,7 @@
 
 #include "agents/perception/opencv_view.hpp"
 #include "agents/perception/stereo/rectifier.hpp"
+#include "clients/evaluate/stereo/sgbm.hpp"
 #include "tests/agents/perception/stereo/judged.hpp"
 #include "tests/support/stereo_room.hpp"
 
@@ -52,7 +53,7 @@ TEST(Disparity, IsAsDenseAndAsRightAsSgbm) {
   ASSERT_TRUE(map);
   const test::Judged ours = judged(*map, looked.rig, looked.depth_m, config.disparities);
   const test::Judged theirs =
-      judged(test::sgbm(looked.pair, config.disparities), looked.rig, looked.depth_m, config.disparities);
+      judged(evaluate::stereo::sgbm(looked.pair, config.disparities), looked.rig, looked.depth_m, config.disparities);
   EXPECT_LT(ours.off_2px, theirs.off_2px + 0.002);
   EXPECT_GT(ours.density, theirs.density - 0.01);
 }

@@ -1,12 +1,9 @@
 #pragma once
-// Judges a disparity map, and OpenCV's beside it.
+// Judges a disparity map.
 #include <cmath>
 #include <cstddef>
-#include <opencv2/calib3d.hpp>
-#include <opencv2/core.hpp>
 #include <vector>
 
-#include "agents/perception/opencv_view.hpp"
 #include "agents/perception/stereo/disparity.hpp"
 
 namespace weft::test {
@@ -39,27 +36,6 @@ inline Judged judged(const agents::DisparityMap& map, const agents::StereoRig& r
   found.density = static_cast<double>(told) / static_cast<double>(all);
   for (double* sum : {&found.off_1px, &found.off_2px, &found.mean_px}) *sum /= static_cast<double>(told);
   return found;
-}
-
-/// Returns OpenCV's semi-global matcher along three paths, with the penalties that its documentation proposes and the
-/// checks that ours has.
-inline cv::Ptr<cv::StereoSGBM> sgbm_matcher(int disparities) {
-  constexpr int block = 5;
-  return cv::StereoSGBM::create(0, disparities, block, 8 * block * block, 32 * block * block, 1, 31, 5, 100, 1,
-                                cv::StereoSGBM::MODE_SGBM_3WAY);
-}
-
-inline agents::DisparityMap sgbm_map(const cv::Mat& disparity) {
-  agents::DisparityMap map{disparity.cols, disparity.rows, {}};
-  for (const std::int16_t value : cv::Mat_<std::int16_t>(disparity))
-    map.sixteenths.push_back(value < 0 ? agents::DisparityMap::none : value);
-  return map;
-}
-
-inline agents::DisparityMap sgbm(const agents::StereoPair& pair, int disparities) {
-  cv::Mat disparity;
-  sgbm_matcher(disparities)->compute(agents::as_mat(pair.left), agents::as_mat(pair.right), disparity);
-  return sgbm_map(disparity);
 }
 
 }  // namespace weft::test

@@ -6,8 +6,8 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
+#include "clients/evaluate/stereo/sgbm.hpp"
 #include "images/read.hpp"
-#include "tests/agents/perception/stereo/judged.hpp"
 
 namespace weft::agents {
 namespace {
@@ -45,7 +45,7 @@ TEST_P(RealPair, IsMatchedAsSgbmMatchesIt) {
   config.disparities = GetParam().disparities;
   const auto ours = match_disparity(config, pair);
   ASSERT_TRUE(ours) << ours.error().reason;
-  const DisparityMap theirs = test::sgbm(pair, config.disparities);
+  const DisparityMap theirs = evaluate::stereo::sgbm(pair, config.disparities);
   std::size_t both = 0;
   std::size_t alike = 0;
   for (std::size_t i = 0; i < theirs.sixteenths.size(); ++i) {

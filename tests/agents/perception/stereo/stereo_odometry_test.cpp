@@ -2,48 +2,15 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <string>
 
-#include "tests/support/stereo_room.hpp"
+#include "tests/agents/perception/stereo/stereo_drive.hpp"
 
 namespace weft::agents {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr Duration kBetween = 100ms;
-
-/// Drives through a room: 4 cm and 0.02 rad a view.
-class Drive {
- public:
-  explicit Drive(test::StereoRoom room, StereoOdometryConfig config = {})
-      : room_(std::move(room)), odometry(std::move(*StereoOdometry::make(config, sensor))) {}
-
-  const Pose2 step = se2_exp({0.04, 0.004, 0.02});
-  const Sensor sensor = test::stereo_sensor(320, 240, 208.0, 0.12);
-
-  StereoPair next_pair() {
-    test::StereoShot shot;
-    shot.seed = seed_++;
-    StereoPair pair = room_.pair(sensor, lift(at_), shot);
-    at_ = at_ * step;
-    return pair;
-  }
-  OrUnseen<SeenMotion> see(const StereoPair& pair, const StereoOdometry::IsPossible& is_possible = {}) {
-    return odometry.observe(state, pair, kBetween, is_possible);
-  }
-  OrUnseen<SeenMotion> see_next() { return see(next_pair()); }
-
- private:
-  test::StereoRoom room_;
-  Pose2 at_{1.0, 0.0, -0.1};
-  std::uint64_t seed_ = 1;
-
- public:
-  StereoOdometry odometry;
-  StereoOdometry::State state;
-};
+using test::Drive;
+using test::kBetween;
 
 TEST(StereoOdometry, SeesADrive) {
   Drive drive(test::crate_room());
@@ -118,9 +85,7 @@ TEST(StereoOdometry, AfterABlindStretchItGoesOnFromTheKeyframe) {
     const Image dark = test::filled(drive.next_pair().left, 3);
     ASSERT_FALSE(drive.see({dark, dark}));
     driven = driven * drive.step;
-    Metric3 assumed;  // the robot is thought to stand
-    assumed.covariance = Matrix6d(0.01 * Matrix6d::Identity());
-    drive.odometry.assume(drive.state, assumed);
+    drive.odometry.assume(drive.state, test::standing(), kBetween);
   }
   const auto seen = drive.see_next();
   ASSERT_TRUE(seen) << seen.error().reason;
@@ -144,7 +109,8 @@ TEST(StereoOdometry, AStepThatTheRobotCannotHaveMadeIsBlind) {
   Drive drive(test::crate_room());
   ASSERT_FALSE(drive.see_next());
   ASSERT_TRUE(drive.see_next());
-  const auto seen = drive.see(drive.next_pair(), [](const Pose3& step) { return step.translation.norm() < 0.01; });
+  const auto seen =
+      drive.see(drive.next_pair(), [](const Pose3& step, const Pose3&) { return step.translation.norm() < 0.01; });
   ASSERT_FALSE(seen);
   EXPECT_EQ(seen.error().reason, "impossible");
 }

@@ -15,9 +15,10 @@ Pose3 moved() {
   return se3_exp(twist);
 }
 
-/// Returns points whose pixels at b are right but for noise, and a share of them wrong.
+/// Returns points whose pixels at b are right but for noise, and a share of them wrong; `in_a` takes where they truly
+/// are.
 std::vector<SeenPoint> points_seen(const Pose3& b_from_a, double noise_px, double disparity_noise_px, double wrong,
-                                   std::uint64_t seed) {
+                                   std::uint64_t seed, std::vector<Eigen::Vector3d>* in_a = nullptr) {
   Random random(seed);
   std::vector<SeenPoint> points;
   while (points.size() < 150) {
@@ -34,6 +35,7 @@ std::vector<SeenPoint> points_seen(const Pose3& b_from_a, double noise_px, doubl
                  Eigen::Vector2d(random.normal(0.0, noise_px), random.normal(0.0, noise_px));
     if (random.chance(wrong)) point.at_b = {random.uniform(0.0, 640.0), random.uniform(0.0, 480.0)};
     points.push_back(point);
+    if (in_a != nullptr) in_a->push_back(true_point);
   }
   return points;
 }
@@ -68,6 +70,33 @@ TEST(ViewPose, ItsCovarianceIsThatOfItsErrors) {
     squares += off.dot(fit->covariance.inverse() * off);
   }
   EXPECT_NEAR(squares / (6.0 * rounds), 1.0, 0.35);
+}
+
+TEST(ViewPose, DisparitiesAtTheViewMakeItSurer) {
+  const PoseBounds bounds;
+  double squares = 0.0;
+  double without_m2 = 0.0;
+  double with_m2 = 0.0;
+  constexpr int rounds = 60;
+  for (std::uint64_t seed = 1; seed <= rounds; ++seed) {
+    std::vector<Eigen::Vector3d> true_points;
+    auto points = points_seen(moved(), bounds.track_sigma_px, bounds.disparity_sigma_px, 0.0, seed, &true_points);
+    std::size_t next = 0;
+    const auto without = fit_pose(kRig, points, bounds, moved());
+    Random random(1000 + seed);
+    for (SeenPoint& point : points) {
+      const double depth_m = (moved() * true_points[next++]).z();
+      point.disparity_at_b_px = kRig.disparity_px(depth_m) + random.normal(0.0, bounds.disparity_sigma_px);
+    }
+    const auto with = fit_pose(kRig, points, bounds, moved());
+    ASSERT_TRUE(without && with);
+    const Vector6d off = se3_log(with->b_from_a * moved().inverse());
+    squares += off.dot(with->covariance.inverse() * off);
+    with_m2 += off.head<3>().squaredNorm();
+    without_m2 += se3_log(without->b_from_a * moved().inverse()).head<3>().squaredNorm();
+  }
+  EXPECT_NEAR(squares / (6.0 * rounds), 1.0, 0.35) << "its covariance is that of its errors";
+  EXPECT_LT(with_m2, 0.9 * without_m2);
 }
 
 TEST(ViewPose, TheSamePointsGiveTheSamePose) {

@@ -24,7 +24,8 @@ PICTURES = {
     'replay': {'replay.png': 4}, 'floor-attempts': {'floor-attempts.png': 6}, 'floor-relocalise': {'floor-relocalise.png': 4},
     'bearing': {'paths.png': 2, 'first-loop.png': 1, 'loops.png': 1, 'ablation.png': 1},
     'bearing-relocalise': {'bearing-relocalise.png': 4}, 'disturbances': {'disturbances.png': 4},
-    'ceiling': {'ceiling.png': 4}, 'particles': {'particles.png': 2}}
+    'ceiling': {'ceiling.png': 4}, 'particles': {'particles.png': 2},
+    'stereo': {'stereo.png': 4}}
 UNITS = (', m', ', s', ', m/s', ', mm', ', degrees', 'mm', '% of', 'share', 'P(X', 'loops', 'matches', 'number', 'floor')
 
 
@@ -106,6 +107,12 @@ class Charts(unittest.TestCase):
         self.assertEqual([round(edge, 3) for edge in image.get_extent()], [-1.0, 2.0, 0.5, 2.5])
         self.assertEqual(image.get_array()[0].tolist(), [0, 1, 2], 'the lowest row first: unknown, free, occupied')
         self.assertEqual([round(y, 2) for y in errors.get_lines()[0].get_ydata()], [0.0, 0.5])
+
+    def test_a_recorded_path_is_seen_from_where_it_reaches_furthest(self):
+        path, errors = self.figures_of('stereo')['stereo.png'].axes[:2]
+        self.assertEqual((path.get_xlabel(), path.get_ylabel()), ('x, m', 'z, m'))
+        self.assertEqual([line.get_label() for line in path.get_lines()], ['truth', 'KLT + PnP', 'ours'])
+        self.assertEqual([round(y, 2) for y in errors.get_lines()[1].get_ydata()], [0.01, 0.5])
 
     def test_data_without_series_are_drawn_as_far_as_they_go(self):
         for study, left in (('bearing', {'loops.png'}), ('floor', {'floor-9-blind.png'}), ('disturbances', {'disturbances.png'}),

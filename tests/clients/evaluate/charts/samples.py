@@ -112,3 +112,10 @@ def particles(folder):
     write(folder / 'series' / 'particles.json',
           {'log': 'a.log', 'seed': 1, 'raster': [-1.0, 0.5, 1.0, 3, 2], 'cells': 'u.#...', 'truth': [[0.0, 1.0], [0.0, 2.0]],
            'located': [[0.0, 1.0], [0.3, 1.6]]})
+
+
+def stereo(folder):
+    for every in (1, 2):
+        write(folder / 'series' / f'stereo-{every}.json',
+              {'recording': 'hall', 'hz': 20.0 / every, 'truth': [[0.0, 0.01, 0.0], [1.0, 0.0, 2.0]],
+               'ours': [[0.0, 0.0, 0.0], [1.0, 0.0, 2.5]], 'baseline': [[0.0, 0.0, 0.0], [1.0, 1.0, 2.0]]})
