@@ -21,6 +21,14 @@ void move(ParticleSet& particles, const UncertainMotion& motion, Random& random)
   }
 }
 
+MovedParticles moved_by(const ParticleSet& before, const UncertainMotion& motion, Random& random) {
+  ParticleSet expected = before;
+  for (std::size_t i = 0; i < before.size(); ++i) expected.set(i, before.pose(i) * motion.previous_from_current);
+  MovedParticles moved{expected, expected};
+  move(moved.particles, {{}, motion.covariance}, random);
+  return moved;
+}
+
 void take_to(ParticleSet& particles, const Pose2& new_from_old) {
   for (std::size_t i = 0; i < particles.size(); ++i) particles.set(i, new_from_old * particles.pose(i));
 }

@@ -19,6 +19,14 @@ UncertainMotion operator*(const UncertainMotion& first, const UncertainMotion& t
 /// positive semi-definite.
 void move(ParticleSet& particles, const UncertainMotion& motion, Random& random);
 
+/// Holds particles that were moved, and where each would be had its motion had no error.
+struct MovedParticles {
+  ParticleSet particles;
+  ParticleSet expected;
+};
+/// Does as move(), and keeps what walking on within the motion's error needs.
+MovedParticles moved_by(const ParticleSet& before, const UncertainMotion& motion, Random& random);
+
 /// Takes the particles into another frame: a new chart gets those of the old one.
 void take_to(ParticleSet& particles, const Pose2& new_from_old);
 

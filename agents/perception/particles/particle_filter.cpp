@@ -3,27 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "agents/perception/out_of_bounds.hpp"
 
 namespace weft::agents {
-namespace {
-
-/// Returns weights times likelihoods to a power, adding up to 1.
-std::vector<double> weighted_by(const std::vector<double>& before, std::span<const float> logs, double power) {
-  const double most = static_cast<double>(*std::max_element(logs.begin(), logs.end()));
-  std::vector<double> weights(before.size());
-  std::transform(before.begin(), before.end(), logs.begin(), weights.begin(), [&](double weight, float log) {
-    return weight * std::exp(power * (static_cast<double>(log) - most));
-  });
-  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
-  for (double& weight : weights) weight /= all;
-  return weights;
-}
-
-}  // namespace
 
 std::vector<Error> check(const ParticleFilterConfig& config) {
   OutOfBounds out("particles");
@@ -31,9 +15,11 @@ std::vector<Error> check(const ParticleFilterConfig& config) {
   own("update_m", config.update_m, Low::closed, 0, 10);
   own("update_rad", config.update_rad, Low::closed, 0, std::numbers::pi);
   own("resample_below", config.resample_below, Low::open, 0, 1);
-  own("least_effective", config.least_effective, Low::closed, 0, 0.99);
-  own("most_blurs", config.most_blurs, Low::closed, 0, 6);
-  own("seeking_blurs", config.seeking_blurs, Low::closed, 0, config.most_blurs);
+  const auto blur = out.section("blur");
+  blur("least_effective", config.blur.least_effective, Low::closed, 0, 0.99);
+  blur("most", config.blur.most, Low::closed, 0, 6);
+  blur("seeking", config.blur.seeking, Low::closed, 0, config.blur.most);
+  blur("steps", config.blur.steps, Low::closed, 0, 50);
   const auto kld = out.section("kld");
   kld("epsilon", config.kld.epsilon, Low::open, 0, 1);
   kld("z", config.kld.z, Low::open, 0, 5);
@@ -54,19 +40,6 @@ std::vector<Error> check(const ParticleFilterConfig& config) {
   return std::move(out.issues);
 }
 
-double tempered_power(const std::vector<double>& before, std::span<const float> logs, double most, double least) {
-  const auto worth = [&](double power) { return effective_count(weighted_by(before, logs, power)); };
-  if (worth(most) >= least) return most;
-  double good = 0.0;
-  double bad = most;
-  constexpr int halvings = 8;  // leaves 0.4 % of `most`
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = 0.5 * (good + bad);
-    (worth(middle) >= least ? good : bad) = middle;
-  }
-  return good > 0.0 ? good : bad;
-}
-
 ParticleFilter::ParticleFilter(const ParticleFilterConfig& config, std::uint64_t seed)
     : config_(config), random_(seed) {
   begin_at({}, Eigen::Matrix3d::Zero(), 1);
@@ -75,17 +48,16 @@ ParticleFilter::ParticleFilter(const ParticleFilterConfig& config, std::uint64_t
 void ParticleFilter::begin_at(const Pose2& chart_from_robot, const Eigen::Matrix3d& covariance, std::size_t count) {
   particles_ = {};
   for (std::size_t i = 0; i < count; ++i) particles_.add(chart_from_robot, 1.0 / static_cast<double>(count));
-  move(particles_, {{}, covariance}, random_);
   slow_ = fast_ = 0.0;
   is_new_ = true;
   is_seeking_ = false;
-  pending_ = {};
+  pending_ = {{}, covariance};
   settle();
 }
 
 void ParticleFilter::begin_anywhere(const DrawPose& anywhere, std::size_t count) {
   begin_at({}, Eigen::Matrix3d::Zero(), count);
-  inject(particles_, 1.0, anywhere, random_);
+  seek(1.0, anywhere);
   settle();
 }
 
@@ -110,53 +82,47 @@ double ParticleFilter::injected_share(double likelihood) {
   return std::max(0.0, 1.0 - config_.recovery.patience * fast_ / slow_);
 }
 
-ParticleUpdate ParticleFilter::weigh(const LikelihoodField& field, std::vector<BeamEnd> ends) {
-  ParticleUpdate update;
-  const auto beams = static_cast<double>(ends.size());
-  const double most = std::min(1.0, field.config().worth_beams / beams);
-  const double least = config_.least_effective * static_cast<double>(particles_.size());
-  std::vector<float> logs(particles_.size(), 0.0F);
-  field.weigh(ends, particles_, logs);
-  for (std::size_t i = 0; i < logs.size(); ++i)
-    update.likelihood += particles_.weight[i] * std::exp(static_cast<double>(logs[i]) / beams);
-  std::vector<double> weights = weighted_by(particles_.weight, logs, most);
-  const int blurs = is_seeking_ ? config_.seeking_blurs : 0;
-  const auto is_enough = [&] { return update.blurs >= blurs && effective_count(weights) >= least; };
-  for (; update.blurs < config_.most_blurs && !is_enough(); ++update.blurs) {
-    LikelihoodField::widen(ends);
-    std::fill(logs.begin(), logs.end(), 0.0F);
-    field.weigh(ends, particles_, logs);
-    weights = weighted_by(particles_.weight, logs, most);
-  }
-  update.power = most;
-  if (effective_count(weights) < least) {
-    update.power = tempered_power(particles_.weight, logs, most, least);
-    weights = weighted_by(particles_.weight, logs, update.power);
-  }
-  particles_.weight = std::move(weights);
-  return update;
+MovedParticles ParticleFilter::predict(const UncertainMotion& motion) {
+  MovedParticles moved = moved_by(particles_, motion, random_);
+  const std::size_t needed = count_needed(config_.kld, moved.particles, random_);
+  if (needed <= particles_.size()) return moved;
+  return moved_by(resample(particles_, needed, random_), motion, random_);
 }
 
 ParticleUpdate ParticleFilter::update(const LikelihoodField& field, const Scan& scan, const DrawPose& anywhere) {
-  move(particles_, std::exchange(pending_, {}), random_);
+  const UncertainMotion motion = std::exchange(pending_, {});
+  MovedParticles moved = predict(motion);
   is_new_ = false;
+  ParticleUpdate update;
   std::vector<BeamEnd> ends = field.ends_of(scan);
-  if (ends.empty()) {
-    settle();
-    return {};
+  if (!ends.empty()) {
+    ScanWeighing weighing(config_.blur, config_.kld, field, std::move(ends), motion.covariance);
+    update.scan = weighing.weigh(moved, is_seeking_ ? config_.blur.seeking : 0, random_);
   }
-  ParticleUpdate update = weigh(field, std::move(ends));
+  particles_ = std::move(moved.particles);
   settle();
-  const double injected = injected_share(update.likelihood);
+  if (update.scan.power > 0.0) renew(update, anywhere);
+  return update;
+}
+
+void ParticleFilter::renew(ParticleUpdate& update, const DrawPose& anywhere) {
+  const double injected = injected_share(update.scan.likelihood);
   const bool is_poor =
       effective_count(particles_.weight) < config_.resample_below * static_cast<double>(particles_.size());
   update.injected = anywhere ? injected : 0.0;
   is_seeking_ = update.injected > 0.0;
-  if (!is_poor && update.injected <= 0.0) return update;
+  if (!is_poor && !is_seeking_) return;
   particles_ =
       resample(particles_, count_needed(config_.kld, particles_, random_, update.injected, anywhere), random_);
-  inject(particles_, update.injected, anywhere, random_);
-  return update;
+  if (is_seeking_) seek(update.injected, anywhere);
+}
+
+void ParticleFilter::seek(double share, const DrawPose& anywhere) {
+  inject(particles_, share, anywhere, random_);
+  const double off_m = 0.5 * config_.kld.cell_m;
+  const double off_rad = 0.5 * config_.kld.cell_rad;
+  pending_.covariance.diagonal() = Eigen::Vector3d(off_m * off_m, off_m * off_m, off_rad * off_rad);
+  is_seeking_ = true;
 }
 
 ParticleEstimate ParticleFilter::estimate() const {

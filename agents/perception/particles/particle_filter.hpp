@@ -7,6 +7,7 @@
 #include "agents/perception/particles/likelihood_field.hpp"
 #include "agents/perception/particles/motion_sampling.hpp"
 #include "agents/perception/particles/resampling.hpp"
+#include "agents/perception/particles/scan_weighing.hpp"
 #include "core/random.hpp"
 #include "core/result.hpp"
 
@@ -24,25 +25,18 @@ struct ParticleFilterConfig {
   KldConfig kld;
   LikelihoodConfig likelihood;
   RecoveryConfig recovery;
+  BlurConfig blur;
   double update_m = 0.1;          ///< moved by so much, it is due (Dayoub et al. 2013, IV-B); [0, 10]
   double update_rad = 0.0087266;  ///< or turned by so much; [0, pi]
   double resample_below = 0.5;    ///< effective share of the particles; (0, 1]
-  /// Blurs a scan that would leave a smaller effective share of the particles: its beams become twice as wide, up to
-  /// `most_blurs` times, and count for less where that does not suffice. So those that are near the truth are found
-  /// when a filter begins anywhere and none is quite there. [0, 1)
-  double least_effective = 0.05;
-  int most_blurs = 3;     ///< [0, 6]
-  int seeking_blurs = 2;  ///< as many at least while particles are drawn from anywhere; [0, most_blurs]
 };
 /// Returns every bound that does not hold, each error naming field, value and bound.
 std::vector<Error> check(const ParticleFilterConfig& config);
 
 /// Tells what an update did.
 struct ParticleUpdate {
-  double likelihood = 0.0;  ///< geometric mean of a beam's over the scan, mean over the particles before; (0, 1]
-  double power = 0.0;       ///< with which the scan counted; 0: nothing returned, it did not
-  int blurs = 0;            ///< how many times beams became twice as wide
-  double injected = 0.0;    ///< share of the particles that were drawn anew, from anywhere
+  ScanWeight scan;        ///< of power 0: nothing returned, it did not count
+  double injected = 0.0;  ///< share of the particles that were drawn anew, from anywhere
 };
 
 /// Localises in a grid by scans and motions: Monte Carlo localisation with a number of particles that adapts. A
@@ -52,7 +46,7 @@ class ParticleFilter {
   /// The configuration has passed check().
   ParticleFilter(const ParticleFilterConfig& config, std::uint64_t seed);
 
-  /// Begins about a pose; `covariance` as in UncertainMotion.
+  /// Begins about a pose; `covariance` as in UncertainMotion. All particles are there until the first update.
   void begin_at(const Pose2& chart_from_robot, const Eigen::Matrix3d& covariance, std::size_t count);
   /// Begins anywhere.
   void begin_anywhere(const DrawPose& anywhere, std::size_t count);
@@ -72,8 +66,12 @@ class ParticleFilter {
 
  private:
   void settle();
-  /// Weighs the particles by the ends of beams, of which there is one at least, blurred as far as needed.
-  ParticleUpdate weigh(const LikelihoodField& field, std::vector<BeamEnd> ends);
+  /// Returns the particles moved, more of them where that spreads them so far (Fox 2001 counts after the motion).
+  MovedParticles predict(const UncertainMotion& motion);
+  /// Resamples where few particles are left that count, or some are to be drawn from anywhere.
+  void renew(ParticleUpdate& update, const DrawPose& anywhere);
+  /// Draws a share of the particles from anywhere. One that was drawn stands for its cell, and so may be as far off.
+  void seek(double share, const DrawPose& anywhere);
   double injected_share(double likelihood);
 
   ParticleFilterConfig config_;
@@ -86,9 +84,5 @@ class ParticleFilter {
   bool is_new_ = true;
   bool is_seeking_ = false;  ///< particles were injected at the last update
 };
-
-/// Returns the largest power up to `most` by which likelihoods may be raised so that the weights are worth at least
-/// `least` particles; `logs` are those of the likelihoods, weighted as the particles were before.
-double tempered_power(const std::vector<double>& before, std::span<const float> logs, double most, double least);
 
 }  // namespace weft::agents

@@ -41,21 +41,32 @@ std::size_t count_needed(const KldConfig& config, const ParticleSet& particles, 
   return drawn;
 }
 
-ParticleSet resample(const ParticleSet& particles, std::size_t count, Random& random) {
-  ParticleSet drawn;
-  for (std::vector<float>* const numbers : {&drawn.x, &drawn.y, &drawn.heading}) numbers->reserve(count);
-  drawn.weight.reserve(count);
-  const double all = std::accumulate(particles.weight.begin(), particles.weight.end(), 0.0);
+std::vector<std::size_t> draw_by_comb(const std::vector<double>& weights, std::size_t count, Random& random) {
+  std::vector<std::size_t> drawn;
+  drawn.reserve(count);
+  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
   const double step = all / static_cast<double>(count);
   const double first = random.uniform() * step;
   std::size_t i = 0;
-  double until = particles.weight[0];
+  double until = weights[0];
   for (std::size_t tooth = 0; tooth < count; ++tooth) {
     const double at = first + static_cast<double>(tooth) * step;
-    while (at >= until && i + 1 < particles.size()) until += particles.weight[++i];
-    drawn.add(particles.pose(i), 1.0 / static_cast<double>(count));
+    while (at >= until && i + 1 < weights.size()) until += weights[++i];
+    drawn.push_back(i);
   }
   return drawn;
+}
+
+ParticleSet drawn_of(const ParticleSet& particles, const std::vector<std::size_t>& drawn) {
+  ParticleSet those;
+  for (std::vector<float>* const numbers : {&those.x, &those.y, &those.heading}) numbers->reserve(drawn.size());
+  those.weight.reserve(drawn.size());
+  for (const std::size_t i : drawn) those.add(particles.pose(i), 1.0 / static_cast<double>(drawn.size()));
+  return those;
+}
+
+ParticleSet resample(const ParticleSet& particles, std::size_t count, Random& random) {
+  return drawn_of(particles, draw_by_comb(particles.weight, count, random));
 }
 
 void inject(ParticleSet& particles, double share, const DrawPose& anywhere, Random& random) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "agents/perception/particles/particle_set.hpp"
 #include "core/random.hpp"
@@ -29,8 +30,13 @@ std::size_t count_needed(const KldConfig& config, const ParticleSet& particles, 
                          const DrawPose& anywhere = {});
 
 /// Draws so many particles with a comb of equal spacing (low-variance sampling: Thrun, Burgard & Fox 2005,
-/// table 4.4): a particle of weight w is drawn floor(n w) or ceil(n w) times, n w in the mean. All weigh the same
-/// afterwards.
+/// table 4.4): one of weight w is drawn floor(n w) or ceil(n w) times, n w in the mean. Returns which, in order.
+std::vector<std::size_t> draw_by_comb(const std::vector<double>& weights, std::size_t count, Random& random);
+
+/// Returns the particles that were drawn, all of the same weight.
+ParticleSet drawn_of(const ParticleSet& particles, const std::vector<std::size_t>& drawn);
+
+/// Draws so many particles by a comb and returns them.
 ParticleSet resample(const ParticleSet& particles, std::size_t count, Random& random);
 
 /// Replaces each particle with probability `share` by a drawn pose of the same weight.

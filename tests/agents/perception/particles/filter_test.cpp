@@ -60,9 +60,9 @@ TEST(ParticleFilter, KeepsFewParticlesWhenItKnowsWhereItIs) {
   Led led(2);
   led.filter().begin_anywhere(kAnywhere, 3000);
   EXPECT_EQ(led.filter().particles().size(), 3000U);
-  EXPECT_GT(led.step(DrawPose()).blurs, 0) << "none of them is quite there";
+  EXPECT_GT(led.step(DrawPose()).scan.blurs, 0) << "none of them is quite there";
   for (int i = 0; i < 60; ++i) led.step(DrawPose());
-  EXPECT_EQ(led.step(DrawPose()).blurs, 0);
+  EXPECT_EQ(led.step(DrawPose()).scan.blurs, 0);
   EXPECT_EQ(led.filter().particles().size(), 300U);
   EXPECT_LT(led.off_m(), 0.1) << "it began anywhere";
 }
@@ -122,7 +122,7 @@ TEST(ParticleFilter, AScanWithoutReturnsMovesItAndTellsNothing) {
   ParticleFilter filter({}, 7);
   filter.begin_at({2.0, 2.0, 0.0}, small_covariance(), 2000);
   filter.advance({{0.5, 0.0, 0.0}, Eigen::Matrix3d::Zero()});
-  EXPECT_EQ(filter.update(room.field(), Scan{}, kAnywhere).power, 0.0);
+  EXPECT_EQ(filter.update(room.field(), Scan{}, kAnywhere).scan.power, 0.0);
   EXPECT_NEAR(filter.estimate().chart_from_robot.x, 2.5, 0.02);
   EXPECT_EQ(filter.particles().size(), 2000U);
 }
@@ -138,22 +138,6 @@ TEST(ParticleFilter, GoesOnInAnotherChartWithTheSameBelief) {
   const Pose2 off = (new_from_old * before.chart_from_robot).inverse() * after.chart_from_robot;
   EXPECT_LT(off.translation().norm(), 1e-6);
   EXPECT_LT((before.covariance - after.covariance).norm(), 1e-9);
-}
-
-TEST(TemperedPower, IsTheLargestThatLeavesEnough) {
-  const std::vector<double> before(100, 0.01);
-  std::vector<float> logs(100);
-  for (std::size_t i = 0; i < logs.size(); ++i) logs[i] = -0.5F * static_cast<float>(i);
-  EXPECT_EQ(tempered_power(before, logs, 1.0, 1.0), 1.0);
-  const double power = tempered_power(before, logs, 1.0, 30.0);
-  EXPECT_LT(power, 1.0);
-  const auto worth = [&](double by) {
-    std::vector<double> weights;
-    for (const float log : logs) weights.push_back(std::exp(by * static_cast<double>(log)));
-    return effective_count(weights);
-  };
-  EXPECT_GE(worth(power), 30.0);
-  EXPECT_LT(worth(power + 0.01), 30.0);
 }
 
 TEST(ParticleFilter, SettingsOutOfBoundsAreNamed) {
