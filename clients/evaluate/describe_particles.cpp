@@ -23,6 +23,7 @@ CLI::App* describe(CLI::App& app, ParticlesOptions& options, std::string& seeds)
                 "Begin anywhere, with 10000 particles, and count the updates until it has found itself");
   option("--out", options.out, "DIR",
          "Folder for the results, one for each log; rows that it holds already are kept [out/particles/LOG]");
+  sub->add_flag("--json", options.json, "One line of JSON instead of the table");
   return sub;
 }
 

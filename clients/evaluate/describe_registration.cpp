@@ -21,10 +21,11 @@ CLI::App* describe(CLI::App& app, RegisterOptions& options) {
   option("--truth", options.truth, "FILE", "a_from_b as a 4 x 4 matrix of numbers [nobody knows]");
   option("--guess", options.guess, "X,Y,Z,HEADING",
          "Where to begin: a_from_b in metres and radians [where they are]");
+  sub->add_flag("--json", options.json, "One line of JSON instead of the table");
   return sub;
 }
 
-CLI::App* describe(CLI::App& app, RegisterRoomsOptions& /*options*/, std::string& seeds) {
+CLI::App* describe(CLI::App& app, RegisterRoomsOptions& options, std::string& seeds) {
   CLI::App* const sub = app.add_subcommand(
       "register-rooms",
       "Whether registering places ever harms what odometry knew of them: clouds as stereo sees rooms, aisles with "
@@ -35,6 +36,7 @@ CLI::App* describe(CLI::App& app, RegisterRoomsOptions& /*options*/, std::string
   flags_of(sub)(
       "--seeds", seeds, "A..B",
       "Seeds A to B, or one: each is another building, rig and noise; constants were set on 1001 to 1020 [1..20]");
+  sub->add_flag("--json", options.json, "One line of JSON instead of the tables");
   return sub;
 }
 

@@ -40,6 +40,12 @@ json json_of(const TrialRow& row) {
   return made;
 }
 
+json document_of(const json& study, const std::vector<TrialRow>& rows) {
+  json document = {{"study", study}, {"rows", json::array()}};
+  for (const TrialRow& row : rows) document["rows"].push_back(json_of(row));
+  return document;
+}
+
 TrialRow row_from(const json& made) {
   TrialRow row;
   row.seed = made.at("seed").get<std::uint64_t>();
@@ -76,9 +82,7 @@ Result<std::vector<TrialRow>> read_rows(const std::filesystem::path& file, const
 }
 
 Result<void> write_rows(const std::filesystem::path& file, const json& study, const std::vector<TrialRow>& rows) {
-  json document = {{"study", study}, {"rows", json::array()}};
-  for (const TrialRow& row : rows) document["rows"].push_back(json_of(row));
-  return write_text(file, document.dump() + "\n");
+  return write_text(file, document_of(study, rows).dump() + "\n");
 }
 
 Result<void> write_rows_csv(const std::filesystem::path& file, const std::vector<TrialRow>& rows) {
@@ -133,6 +137,15 @@ Judged judge(const std::vector<TrialRow>& rows, const Asked& asked, bool is_anyw
   if (is_anywhere) wanted.back() = asked_cell(asked.found_after, 0);
   table.push_back(wanted);
   return {markdown_table(table, 2), is_met};
+}
+
+json judged_document(const json& study, const std::vector<TrialRow>& rows, const Asked& asked, bool is_met) {
+  const auto bound = [](double most) { return most > 0.0 ? json(most) : json(); };
+  json document = document_of(study, rows);
+  document["asked"] = {
+      {"mean_m", bound(asked.mean_m)}, {"p95_m", bound(asked.p95_m)}, {"found_after", bound(asked.found_after)}};
+  document["is_met"] = is_met;
+  return document;
 }
 
 }  // namespace weft::evaluate::particles

@@ -35,4 +35,8 @@ struct Judged {
 };
 Judged judge(const std::vector<TrialRow>& rows, const Asked& asked, bool is_anywhere);
 
+/// Returns the same as one JSON document: study, rows, asked (null: nothing is), is_met.
+nlohmann::json judged_document(const nlohmann::json& study, const std::vector<TrialRow>& rows, const Asked& asked,
+                               bool is_met);
+
 }  // namespace weft::evaluate::particles

@@ -77,7 +77,8 @@ Result<Ended> measure(const ParticlesOptions& options, const Course& course, con
   return Ended::complete;
 }
 
-Result<Ended> report(const ParticlesOptions& options, std::vector<TrialRow> rows, const Surroundings& around) {
+Result<Ended> report(const ParticlesOptions& options, const json& study, std::vector<TrialRow> rows,
+                     const Surroundings& around) {
   std::sort(rows.begin(), rows.end(), [](const TrialRow& a, const TrialRow& b) { return a.seed < b.seed; });
   std::erase_if(rows,
                 [&](const TrialRow& row) { return row.seed < options.seeds.first || row.seed > options.seeds.last; });
@@ -87,7 +88,8 @@ Result<Ended> report(const ParticlesOptions& options, std::vector<TrialRow> rows
   const std::vector<std::string> pictures = draw_pictures(name, options.out, around);
   const Asked asked = asked_of(options.log.filename().string(), options.alpha, options.is_anywhere);
   const Judged judged = judge(rows, asked, options.is_anywhere);
-  around.out << judged.table << std::flush;
+  around.out << (options.json ? judged_document(study, rows, asked, judged.is_met).dump() + "\n" : judged.table)
+             << std::flush;
   around.progress << "weft-evaluate: " << name << ".csv, " << name << ".json and " << words_of(pictures) << " are in "
                   << options.out.string() << '\n';
   return judged.is_met ? Ended::complete : Ended::missed;
@@ -115,7 +117,7 @@ Result<Ended> study_particles(const ParticlesOptions& options, const Surrounding
   RowsMeasured progress(options.seeds.last - options.seeds.first + 1, kept, around);
   const Result<Ended> ended = measure(options, course, *grid, study, *rows, progress);
   if (!ended || *ended == Ended::stopped) return ended;
-  return report(options, *std::move(rows), around);
+  return report(options, study, *std::move(rows), around);
 }
 
 }  // namespace weft::evaluate::particles

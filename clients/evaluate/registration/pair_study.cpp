@@ -1,21 +1,16 @@
 #include "clients/evaluate/registration/pair_study.hpp"
 
-#include <algorithm>
 #include <optional>
 
 #include "agents/perception/clouds/ndt.hpp"
 #include "agents/perception/clouds/pcl_check.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/registration/cloud_file.hpp"
-#include "clients/evaluate/registration/trials.hpp"
-#include "clients/evaluate/table.hpp"
+#include "clients/evaluate/registration/pair_report.hpp"
 
 namespace weft::evaluate::registration {
 namespace {
 
-constexpr double kTruthM = 0.02;
-constexpr double kTruthDegrees = 0.4;
-constexpr double kRivalM = 0.03;
 constexpr int kRepeats = 3;  // the least processor time of them is reported
 
 using Points = std::vector<Eigen::Vector3f>;
@@ -48,14 +43,6 @@ Result<Pair> read_pair(const RegisterOptions& options) {
   pair.truth = *truth;
   return pair;
 }
-
-/// Holds what one way of registering answers.
-struct Answer {
-  std::string name;
-  std::optional<Pose3> a_from_b;
-  std::string refused;
-  double ms = 0.0;
-};
 
 template <class Act>
 Answer timed_answer(const std::string& name, int repeats, const std::function<double()>& processor_s, Act&& act) {
@@ -108,10 +95,6 @@ std::vector<Answer> all_answers(const Pair& pair, const std::function<double()>&
   return answers;
 }
 
-double degrees_between(const Pose3& one, const Pose3& other) {
-  return kDegrees * one.rotation.angularDistance(other.rotation);
-}
-
 }  // namespace
 
 Result<Ended> study_pair(const RegisterOptions& options, const Surroundings& around,
@@ -119,25 +102,9 @@ Result<Ended> study_pair(const RegisterOptions& options, const Surroundings& aro
   const Result<Pair> pair = read_pair(options);
   if (!pair) return fail(pair.error());
   const std::vector<Answer> answers = all_answers(*pair, processor_s);
-  const Pose3 right = pair->truth ? *pair->truth : answers[1].a_from_b.value_or(Pose3{});
-  const double most_m = pair->truth ? kTruthM : kRivalM;
-  bool is_met = false;
-  std::vector<std::vector<std::string>> rows = {
-      {"way", pair->truth ? "off the truth m" : "off PCL GICP m", "degrees", "processor ms", "refused"}};
-  for (const Answer& answer : answers) {
-    if (!answer.a_from_b) {
-      rows.push_back({answer.name, "-", "-", cell(answer.ms, 1), answer.refused});
-      continue;
-    }
-    const double metres = (answer.a_from_b->translation - right.translation).norm();
-    const double degrees = degrees_between(*answer.a_from_b, right);
-    if (&answer == &answers.front()) is_met = metres <= most_m && (!pair->truth || degrees <= kTruthDegrees);
-    rows.push_back({answer.name, cell(metres, 4), cell(degrees, 3), cell(answer.ms, 1), answer.refused});
-  }
-  around.out << pair->a.size() << " and " << pair->b.size() << " points\n"
-             << markdown_table(rows, 1) << (is_met ? "met" : "NOT MET") << ": ours within " << most_m << " m"
-             << (pair->truth ? " and 0.4 degrees of the truth\n" : " of PCL GICP\n") << std::flush;
-  return is_met ? Ended::complete : Ended::missed;
+  const PairReport report = compared(answers, pair->truth, {pair->a.size(), pair->b.size()});
+  around.out << (options.json ? json_of(report) : table_of(report)) << std::flush;
+  return report.is_met ? Ended::complete : Ended::missed;
 }
 
 }  // namespace weft::evaluate::registration

@@ -27,7 +27,7 @@ class RecordedLaser : public testing::TestWithParam<const char*> {
     std::ostringstream table;
     std::ostringstream progress;
     const Surroundings around{table, progress, [] { return 0.0; }, [] { return false; }};
-    const Result<Ended> ended = study_particles({log, seeds, 0.2, is_anywhere, out}, around);
+    const Result<Ended> ended = study_particles({log, seeds, 0.2, is_anywhere, out, false}, around);
     std::filesystem::remove_all(out);
     ASSERT_TRUE(ended) << ended.error().message;
     EXPECT_EQ(*ended, Ended::complete) << table.str();

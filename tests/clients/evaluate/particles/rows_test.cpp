@@ -56,6 +56,18 @@ TEST(ParticleRows, MeansAreHeldAgainstWhatIsAsked) {
   EXPECT_FALSE(judge({}, asked, false).is_met);
 }
 
+TEST(ParticleRows, ADocumentHoldsRowsBoundsAndVerdict) {
+  TrialRow row = row_of(3, 0.06);
+  row.found_after = std::numeric_limits<double>::quiet_NaN();
+  const nlohmann::json document = judged_document({{"log", "a.log"}}, {row}, {0.07, 0.0, 0.0}, true);
+  EXPECT_EQ(document.at("study").at("log"), "a.log");
+  EXPECT_EQ(document.at("rows").at(0).at("mean_m"), 0.06);
+  EXPECT_TRUE(document.at("rows").at(0).at("found_after").is_null());
+  EXPECT_EQ(document.at("asked").at("mean_m"), 0.07);
+  EXPECT_TRUE(document.at("asked").at("p95_m").is_null()) << "nothing is asked of it";
+  EXPECT_EQ(document.at("is_met"), true);
+}
+
 TEST(ParticleRows, ALostSeedOrOneThatIsNotFoundInTimeMisses) {
   TrialRow lost = row_of(1, 0.01);
   lost.is_lost = true;

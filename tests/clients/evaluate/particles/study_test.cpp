@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 
@@ -57,7 +58,7 @@ class ParticleStudy : public testing::Test {
     const Surroundings around{out_, progress_, [] { return 0.0; }, [&] { return ++asked > stop_after; }};
     return study_particles(options, around);
   }
-  ParticlesOptions options() const { return {folder_ / "hall.log", {1, 2}, 0.2, false, folder_ / "out"}; }
+  ParticlesOptions options() const { return {folder_ / "hall.log", {1, 2}, 0.2, false, folder_ / "out", false}; }
 
   std::filesystem::path folder_;
   std::ostringstream out_;
@@ -85,6 +86,19 @@ TEST_F(ParticleStudy, GoesOnWhereItWasStopped) {
   std::filesystem::remove_all(folder_ / "out");
   ASSERT_TRUE(study(options()));
   EXPECT_EQ(out_.str(), table) << "as measured at once";
+}
+
+TEST_F(ParticleStudy, SaysTheSameInOneDocument) {
+  ParticlesOptions in_json = options();
+  in_json.json = true;
+  const Result<Ended> ended = study(in_json);
+  ASSERT_TRUE(ended) << ended.error().message;
+  const auto document = nlohmann::json::parse(out_.str());
+  EXPECT_EQ(document.at("is_met"), *ended == Ended::complete);
+  EXPECT_EQ(document.at("study").at("log"), "hall.log");
+  ASSERT_EQ(document.at("rows").size(), 2U);
+  EXPECT_EQ(document.at("rows")[1].at("seed"), 2);
+  EXPECT_GT(document.at("rows")[1].at("mean_m"), 0.0);
 }
 
 TEST_F(ParticleStudy, FindsItselfFromAnywhere) {
@@ -124,9 +138,11 @@ TEST(ParticlesInvocation, FlagsAndDefaults) {
   EXPECT_EQ(plain.seeds.last, 3U);
   EXPECT_EQ(plain.alpha, 0.2);
   EXPECT_FALSE(plain.is_anywhere);
+  EXPECT_FALSE(plain.json);
   EXPECT_EQ(plain.out, "out/particles/intel-corrected");
   const auto given = std::get<ParticlesOptions>(
-      parsed({"particles", "a.log", "--alpha", "0.1", "--global", "--seeds", "4", "--out", "o"}));
+      parsed({"particles", "a.log", "--alpha", "0.1", "--global", "--seeds", "4", "--out", "o", "--json"}));
+  EXPECT_TRUE(given.json);
   EXPECT_EQ(given.alpha, 0.1);
   EXPECT_TRUE(given.is_anywhere);
   EXPECT_EQ(given.seeds.first, 4U);

@@ -37,8 +37,9 @@ TEST_F(RecordedPairs, OfALidarAreRefusedByNameOrWithinTheirBoundsOfTheTruth) {
   std::ostringstream out;
   std::ostringstream progress;
   const Surroundings around{out, progress, [] { return 0.0; }, [] { return false; }};
-  const Result<Ended> ended = study_pair(
-      {lidar / "target.ply", lidar / "source.ply", lidar / "T_target_source.txt", ""}, around, [] { return 0.0; });
+  const Result<Ended> ended =
+      study_pair({lidar / "target.ply", lidar / "source.ply", lidar / "T_target_source.txt", "", false}, around,
+                 [] { return 0.0; });
   ASSERT_TRUE(ended) << ended.error().message;
   const bool is_refused = out.str().find("slides") != std::string::npos;
   EXPECT_EQ(*ended, is_refused ? Ended::missed : Ended::complete) << out.str();
@@ -46,7 +47,7 @@ TEST_F(RecordedPairs, OfALidarAreRefusedByNameOrWithinTheirBoundsOfTheTruth) {
 
 TEST_F(RecordedPairs, OfARoomAreNearWhatPclSays) {
   const fs::path room = data_ / "pcl";
-  expect_met({room / "room_scan1.pcd", room / "room_scan2.pcd", "", "1.79387,0.720047,0,0.6931"});
+  expect_met({room / "room_scan1.pcd", room / "room_scan2.pcd", "", "1.79387,0.720047,0,0.6931", false});
 }
 
 }  // namespace
