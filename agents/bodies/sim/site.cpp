@@ -74,6 +74,16 @@ void add_racks(const Table& root, Site& site) {
   }
 }
 
+/// Reads how much there is to see on a wall.
+void read_contrast(const Table& table, Box& wall) {
+  constexpr double of_plain = 0.02;
+  const bool is_plain = table.boolean("plain", false);
+  if (is_plain && table.has("contrast"))
+    table.refuse("contrast", "is 0.02 where plain = true; leave out one of them");
+  wall.contrast = table.number("contrast", is_plain ? of_plain : wall.contrast, 0.0, 1.0);
+  wall.has_signs = !is_plain;
+}
+
 void add_walls(const Table& root, Site& site) {
   for (const Table& table : root.tables("wall", 0, 1000)) {
     const std::vector<double> from = table.numbers("from", required, 2, 2, -kFar, kFar);
@@ -83,6 +93,7 @@ void add_walls(const Table& root, Site& site) {
     box.name = table.text("name", "wall " + std::to_string(site.boxes.size() + 1));
     box.width_m = table.number("thickness_m", 0.2, 0.02, 2.0);
     box.height_m = table.number("height_m", 5.0, 0.1, 20.0);
+    read_contrast(table, box);
     if (from.size() == 2 && to.size() == 2) {
       box.length_m = std::hypot(to[0] - from[0], to[1] - from[1]);
       box.site_from_box = {(from[0] + to[0]) / 2, (from[1] + to[1]) / 2,
@@ -115,8 +126,7 @@ void add_names_and_lamps(const Table& root, Site& site) {
     Lamp lamp;
     lamp.x = table.number("x", required, -kFar, kFar);
     lamp.y = table.number("y", required, -kFar, kFar);
-    lamp.height_m = table.number("height_m", lamp.height_m, 2.0, 30.0);
-    lamp.brightness = table.number("brightness", lamp.brightness, 0.0, 20.0);
+    read_shining(table, lamp);
     site.lamps.push_back(lamp);
   }
 }

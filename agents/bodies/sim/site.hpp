@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,8 @@ struct Box {
   double length_m = 1.0;
   double width_m = 1.0;
   double height_m = 2.0;
+  double contrast = 1.0;  ///< of a wall: factor on its texture about its mean
+  bool has_signs = true;  ///< of a wall
 };
 
 struct Station {
@@ -40,6 +43,9 @@ struct Lamp {
   double y = 0.0;
   double height_m = 6.0;
   double brightness = 1.0;  ///< 1: a lamp that lights the floor under it to twice the ambient light
+  double flicker = 0.0;     ///< most of its light that is missing at a time
+  double flicker_hz = 8.0;  ///< so often another share is missing
+  double ends_s = std::numeric_limits<double>::infinity();  ///< of a body's time: dark from then on
 };
 
 struct RobotStart {

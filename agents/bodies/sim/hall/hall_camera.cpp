@@ -45,7 +45,15 @@ bool HallCamera::sees_nothing(std::size_t block) const {
 
 void HallCamera::set_light(const HallLight& light) {
   light_ = light;
-  faces_ = faces_of(hall_->quads(), light_.on(hall_->quads(), &hall_->scene()));
+  still_light_ = UnsteadyLight(light_, hall_->quads(), &hall_->scene());
+  faces_ = faces_of(hall_->quads(), still_light_.at(0.0));
+}
+
+/// Lights what stands still as it is lit at a time, s, by lamps that flicker or end.
+void HallCamera::relight(double time_s) {
+  if (still_light_.is_steady()) return;
+  const std::vector<QuadLight> light = still_light_.at(time_s);
+  for (std::size_t i = 0; i < faces_.size(); ++i) std::copy(light[i].at.begin(), light[i].at.end(), faces_[i].light);
 }
 
 std::vector<ShadedFace> HallCamera::faces_of(const std::vector<Quad>& quads,
@@ -160,7 +168,7 @@ double HallCamera::gather_light(const HallShot& shot) {
     Quad here;  // level, at the camera
     here.corner = shot.site_from_camera.front().translation.cast<float>();
     here.up = Eigen::Vector3f::UnitY();
-    const float light = light_.on(std::vector{here}, nullptr).front().at.front();
+    const float light = light_.at_time(shot.time_s).on(std::vector{here}, nullptr).front().at.front();
     for (std::size_t from = 0; from < seen_.size(); ++from)
       seen_[from] += rays_.vignette[from] * light * carried_.grey[from] - carried_.cover[from] * seen_[from];
   }
@@ -206,7 +214,9 @@ HallImage HallCamera::take(const HallShot& shot) {
     add_mover(movers_[i], static_cast<std::uint32_t>(i + 1), shot.time_s, quads);
     around.push_back(Moving::around_of(std::span(quads).subspan(first)));
   }
-  look(shot, {faces_of(quads, light_.on(quads, nullptr)), QuadScene(quads), around});
+  relight(shot.time_s);
+  const HallLight now = light_.at_time(shot.time_s);
+  look(shot, {faces_of(quads, now.on(quads, nullptr)), QuadScene(quads), around});
   return develop(shot);
 }
 

@@ -9,6 +9,7 @@
 #include "agents/bodies/sim/hall/carried.hpp"
 #include "agents/bodies/sim/hall/hall.hpp"
 #include "agents/bodies/sim/hall/sampled_rays.hpp"
+#include "agents/bodies/sim/hall/unsteady_light.hpp"
 #include "agents/perception/camera_model.hpp"
 #include "core/bytes.hpp"
 
@@ -75,6 +76,7 @@ class HallCamera {
     std::size_t look = 0;  ///< which of them
   };
   std::array<Sample, kHallSamples> samples_from(const std::array<Pose3, kHallSamples>& site_from_camera) const;
+  void relight(double time_s);
   void look(const HallShot& shot, const Moving& moving);
   void look_through(std::size_t from, const Sample& sample, const Moving& moving);
   void shade(const std::vector<ShadedFace>& faces, const RayPacket& rays, std::size_t from, std::uint32_t which);
@@ -87,6 +89,7 @@ class HallCamera {
   std::shared_ptr<const Hall> hall_;
   std::vector<Mover> movers_;
   HallLight light_;
+  UnsteadyLight still_light_;
   std::vector<ShadedFace> faces_;
   ShadeFace shade_face_ = shade_face();
   SampledRays rays_;

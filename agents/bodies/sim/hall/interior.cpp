@@ -28,6 +28,7 @@ void add_signs(const Quad& wall, Random random, std::vector<Quad>& quads) {
     sign.across = wall.across * static_cast<float>(size / length);
     sign.up = wall.up * static_cast<float>(random.uniform(0.7, 1.0) * size / wall.up.norm());
     sign.stuff = Stuff::sign;
+    sign.contrast = 1.0F;
     sign.grey = static_cast<float>(random.uniform(90.0, 150.0));
     sign.pattern = static_cast<std::uint32_t>(random.next());
     quads.push_back(sign);
@@ -37,6 +38,23 @@ void add_signs(const Quad& wall, Random random, std::vector<Quad>& quads) {
 void add_wall(const Quad& whole, Random random, std::vector<Quad>& quads) {
   add_panels(whole, quads);
   add_signs(whole, random, quads);
+}
+
+/// Adds a wall or a pillar of the site.
+void add_upright(const Box& box, const Site& site, std::vector<Quad>& quads) {
+  std::vector<Quad> sides;
+  Quad look;
+  look.grey = static_cast<float>(site.hall.wall_grey);
+  look.contrast = static_cast<float>(box.contrast);
+  const Pose2& pose = box.site_from_box;
+  add_box({{pose.x, pose.y, 0.0}, pose.heading, box.length_m, box.width_m, box.height_m}, look, sides);
+  for (const Quad& side : sides) {
+    if (box.has_signs) {
+      add_wall(side, Random(site.floor.seed ^ quads.size()), quads);
+    } else {
+      add_panels(side, quads);
+    }
+  }
 }
 
 void add_shell(const Site& site, std::vector<Quad>& quads) {
@@ -68,14 +86,9 @@ std::vector<Quad> interior_of(const Site& site) {
   for (const Box& box : site.boxes) {
     if (box.kind == Box::Kind::rack) {
       add_rack(box, site, quads);
-      continue;
+    } else {
+      add_upright(box, site, quads);
     }
-    std::vector<Quad> sides;
-    Quad look;
-    look.grey = static_cast<float>(site.hall.wall_grey);
-    const Pose2& pose = box.site_from_box;
-    add_box({{pose.x, pose.y, 0.0}, pose.heading, box.length_m, box.width_m, box.height_m}, look, sides);
-    for (const Quad& side : sides) add_wall(side, Random(site.floor.seed ^ quads.size()), quads);
   }
   return quads;
 }

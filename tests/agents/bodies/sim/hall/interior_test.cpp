@@ -93,6 +93,32 @@ TEST(Stock, StandsWithinItsRack) {
   }
 }
 
+/// Returns what is seen of one wall in an empty hall: panels and signs.
+std::vector<Quad> seen_of_wall(double contrast, bool has_signs) {
+  Site site = empty_site();
+  const std::size_t without = interior_of(site).size();
+  Box wall{Box::Kind::wall, "wall", {10.0, 6.0, 0.0}, 12.0, 0.2, 4.0};
+  wall.contrast = contrast;
+  wall.has_signs = has_signs;
+  site.boxes.push_back(wall);
+  std::vector<Quad> quads = interior_of(site);
+  quads.erase(quads.begin(), quads.begin() + static_cast<std::ptrdiff_t>(without));
+  return quads;
+}
+
+TEST(Interior, APlainWallHasNoSignsAndOthersHaveThemInFullContrast) {
+  for (const Quad& quad : seen_of_wall(0.02, false)) {
+    EXPECT_EQ(quad.stuff, Stuff::wall);
+    EXPECT_FLOAT_EQ(quad.contrast, 0.02F);
+  }
+  int signs = 0;
+  for (const Quad& quad : seen_of_wall(0.2, true)) {
+    signs += quad.stuff == Stuff::sign ? 1 : 0;
+    EXPECT_FLOAT_EQ(quad.contrast, quad.stuff == Stuff::sign ? 1.0F : 0.2F);
+  }
+  EXPECT_GT(signs, 3);
+}
+
 TEST(Interior, WhoStandsInTheHallSeesNoWayOut) {
   Site site = empty_site();
   site.boxes.push_back(rack());
