@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "agents/bodies/sim/base.hpp"
+#include "agents/bodies/sim/blacked_out_camera.hpp"
 #include "agents/bodies/sim/floor/site_floor.hpp"
 #include "agents/bodies/sim/hall/hall_photographs.hpp"
 #include "agents/bodies/sim/hand.hpp"
@@ -137,6 +138,7 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
     cameras_.push_back(
         {make_stereo_camera(site_, owner, floor, hall, light_now()), camera.fps, camera.fps_at_rest, 0.0});
   }
+  for (TimedCamera& timed : cameras_) timed.camera = with_blackouts(std::move(timed.camera), site_);
   constexpr double apart = 0.4;  // of a period: no two cameras see at the same moment
   for (std::size_t i = 1; i < cameras_.size(); ++i)
     cameras_[i].last_s = -apart * static_cast<double>(i) * cameras_[i].period_s(false);

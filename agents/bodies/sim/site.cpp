@@ -6,6 +6,7 @@
 #include <set>
 
 #include "agents/bodies/sim/base.hpp"
+#include "agents/bodies/sim/blackout_keys.hpp"
 #include "agents/bodies/sim/ceiling_camera_keys.hpp"
 #include "agents/bodies/sim/ceiling_keys.hpp"
 #include "agents/bodies/sim/change_keys.hpp"
@@ -378,6 +379,7 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   add_overhead_in(root, site);
   if (root.has("battery")) site.battery = battery_in(root.table("battery"), site.stations);
   add_robots(root, site);
+  add_blackouts_in(root, site);
   add_change(root.table("change"), site);
   if (auto checked = root.result(); !checked) {
     return fail(checked.error());

@@ -8,6 +8,7 @@
 
 #include "agents/bodies/battery.hpp"
 #include "agents/bodies/body.hpp"
+#include "agents/bodies/sim/blackout.hpp"
 #include "agents/bodies/sim/ceiling.hpp"
 #include "agents/bodies/sim/ceiling_camera_setup.hpp"
 #include "agents/bodies/sim/change.hpp"
@@ -165,6 +166,7 @@ struct Site {
   std::vector<Pipe> pipes;
   std::vector<Skylight> skylights;
   std::vector<Mover> movers;
+  std::vector<Blackout> blackouts;
   BaseSetup base;
   HandSetup hand;
   std::optional<BatterySetup> battery;  ///< of every robot; none: they have none
