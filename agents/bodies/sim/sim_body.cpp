@@ -106,7 +106,7 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
       seed_(seed_of(config.seed, start)),
       day_(config.day),
       robot_(start.name),
-      base_(site_.base, site_.disturbances, site_.boxes,
+      base_(site_.base, site_.disturbances, Solids(site_),
             wheel_errors_from(site_.disturbances, random_of(seed_, wheels)), start.site_from_robot,
             random_of(seed_, slip, day_)),
       shake_(shake_from(site_.disturbances, random_of(seed_, vibration, day_))),
@@ -222,6 +222,7 @@ Moment SimBody::moment_now() {
   };
   moment.site_from_robot = robot_at(-offset_s);
   moment.time_s = std::max(0.0, now_s_ - offset_s);
+  moment.waited_s = base_.solids().waited_s();
   moment.brightness = 1.0 + exposure_drift_.at(now_s_);
   moment.noise_seed = random_of(seed_, noise, day_ * 0x10000 + run_).fork(frame_).next();
   return moment;
@@ -285,8 +286,9 @@ Result<Sample> SimBody::step(const Twist& command) {
   if (sample.hand && hand_done_) {
     next_run();
   }
+  const std::optional<std::string> touch = base_.take_touch();
   if (truth_) {
-    if (auto written = truth_->write(robot_, frame_, now_s_, base_.site_from_robot()); !written) {
+    if (auto written = truth_->write(robot_, frame_, now_s_, base_.site_from_robot(), touch); !written) {
       return fail(written.error());
     }
   }
@@ -313,6 +315,7 @@ Result<std::unique_ptr<SimulatedBody>> make_sim_body(const SimBodyConfig& config
   }
   SimBodyConfig now = config;
   if (now.day < now.site.change.from_day) now.site.change = {};
+  std::erase_if(now.site.obstacles, [&now](const Obstacle& obstacle) { return now.day < obstacle.from_day; });
   if (start->ceiling_camera) now.site.ceiling_camera = *start->ceiling_camera;
   auto floor = make_site_floor(now.site, now.floors_dir, now.warn);
   if (!floor) {

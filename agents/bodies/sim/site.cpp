@@ -12,6 +12,7 @@
 #include "agents/bodies/sim/change_keys.hpp"
 #include "agents/bodies/sim/changes.hpp"
 #include "agents/bodies/sim/floor/materials.hpp"
+#include "agents/bodies/sim/solid_keys.hpp"
 #include "agents/bodies/sim/stereo_camera_keys.hpp"
 #include "core/config/config.hpp"
 
@@ -154,6 +155,20 @@ void read_looks(const Table& table, RobotStart& robot) {
   }
 }
 
+/// Refuses a robot that would stand in something when its body's time begins.
+void refuse_stands_in(const Table& table, const RobotStart& robot, const Site& site) {
+  const Pose2& at = robot.site_from_robot;
+  for (const Box& box : site.boxes) {
+    if (distance_to(box, at.x, at.y) < site.base.radius_m)
+      table.refuse("x", robot.name + " would stand in " + box.name);
+  }
+  for (const Obstacle& o : site.obstacles) {
+    if (o.stands_at(0.0) &&
+        distance_to_rim(o.site_from_obstacle, o.length_m, o.width_m, at.x, at.y) < site.base.radius_m)
+      table.refuse("x", robot.name + " would stand in " + o.name);
+  }
+}
+
 void add_robots(const Table& root, Site& site) {
   std::set<std::string> names;
   for (const Table& table : root.tables("robot", 1, 1000)) {
@@ -170,11 +185,7 @@ void add_robots(const Table& root, Site& site) {
     if (!names.insert(robot.name).second) {
       table.refuse("name", "two robots are called \"" + robot.name + "\"");
     }
-    for (const Box& box : site.boxes) {
-      if (distance_to(box, robot.site_from_robot.x, robot.site_from_robot.y) < site.base.radius_m) {
-        table.refuse("x", robot.name + " would stand in " + box.name);
-      }
-    }
+    refuse_stands_in(table, robot, site);
     site.robots.push_back(robot);
   }
 }
@@ -233,22 +244,6 @@ HallSetup hall_in(const Table& table) {
   h.wall_grey = table.number("wall_grey", h.wall_grey, 5.0, 250.0);
   h.ceiling = ceiling_in(table);
   return h;
-}
-
-Mover mover_in(const Table& table, Mover::Kind kind) {
-  Mover m;
-  m.kind = kind;
-  const std::vector<double> way = table.numbers("way", required, 4, 200, -kFar, kFar);
-  if (way.size() % 2 != 0) table.refuse("way", "must hold an x and a y for each point");
-  for (std::size_t i = 0; i + 1 < way.size(); i += 2) m.way.push_back({way[i], way[i + 1]});
-  for (std::size_t i = 1; i < m.way.size(); ++i) {
-    if (std::hypot(m.way[i].x - m.way[i - 1].x, m.way[i].y - m.way[i - 1].y) < 0.1)
-      table.refuse("way", "has two points that are less than 0.1 m apart");
-  }
-  m.speed_m_s = table.number("speed_m_s", kind == Mover::Kind::person ? 1.0 : 1.5, 0.0, 5.0);
-  m.begins_m = table.number("begins_m", 0.0, 0.0, 10'000.0);
-  if (kind == Mover::Kind::forklift) m.forks_m = table.number("forks_m", m.forks_m, m.forks_m, 12.0);
-  return m;
 }
 
 BaseSetup base_in(const Table& table) {
@@ -365,10 +360,7 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   site.ceiling_camera = ceiling_camera_in(root.table("ceiling_camera"), {});
   site.stereo_camera = stereo_camera_in(root.table("stereo_camera"), {});
   site.hall = hall_in(root.table("hall"));
-  for (const Table& table : root.tables("person", 0, 100))
-    site.movers.push_back(mover_in(table, Mover::Kind::person));
-  for (const Table& table : root.tables("forklift", 0, 100))
-    site.movers.push_back(mover_in(table, Mover::Kind::forklift));
+  add_solids_in(root, site);
   site.base = base_in(root.table("base"));
   site.hand = hand_in(root.table("hand"));
   site.disturbances = disturbances_in(root.table("disturbances"));

@@ -13,6 +13,7 @@
 #include "agents/bodies/sim/ceiling_camera_setup.hpp"
 #include "agents/bodies/sim/change.hpp"
 #include "agents/bodies/sim/exposure_setup.hpp"
+#include "agents/bodies/sim/obstacle.hpp"
 #include "agents/bodies/sim/stereo_camera_setup.hpp"
 #include "core/geometry/pose2.hpp"
 #include "core/result.hpp"
@@ -103,6 +104,9 @@ struct Mover {
   double speed_m_s = 1.0;
   double begins_m = 0.0;  ///< along the way when a body's time begins
   double forks_m = 0.15;  ///< a forklift's, above the floor
+  std::string name = "mover";
+  bool is_rude = false;  ///< a person who does not wait for robots
+  bool is_solid = true;  ///< false: robots go through it, and it does not wait for them
 };
 
 struct BaseSetup {
@@ -166,6 +170,7 @@ struct Site {
   std::vector<Pipe> pipes;
   std::vector<Skylight> skylights;
   std::vector<Mover> movers;
+  std::vector<Obstacle> obstacles;
   std::vector<Blackout> blackouts;
   BaseSetup base;
   HandSetup hand;

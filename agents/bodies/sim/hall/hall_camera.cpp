@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "agents/bodies/sim/hall/movers.hpp"
+#include "agents/bodies/sim/hall/obstacles.hpp"
 #include "agents/perception/lens.hpp"
 #include "core/random.hpp"
 
@@ -16,11 +17,11 @@ constexpr std::size_t kNoise = 1U << 18U;
 }  // namespace
 
 HallCamera::HallCamera(const CameraModel& camera, const HallCameraOptions& options, std::shared_ptr<const Hall> hall,
-                       std::vector<Mover> movers, const HallLight& light)
+                       Comings comings, const HallLight& light)
     : camera_(camera),
       options_(options),
       hall_(std::move(hall)),
-      movers_(std::move(movers)),
+      comings_(std::move(comings)),
       light_(light),
       rays_(camera, options.vignetting, options.widest_rad),
       carried_(rays_, camera, options.carried),
@@ -206,17 +207,32 @@ double HallCamera::distance_m(const Pose3& site_from_camera, int column, int row
       hall_->scene().distance_m(site_from_camera.translation.cast<float>(), way.cast<float>()));
 }
 
-HallImage HallCamera::take(const HallShot& shot) {
+/// Sets up what moves, or stands there for a while, as it is when an image is taken.
+HallCamera::Moving HallCamera::moving_at(const HallShot& shot) const {
+  constexpr std::uint32_t first_obstacle = 1000;  // beyond all movers
   std::vector<Quad> quads;
   std::vector<Moving::Sphere> around;
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
+  const auto add = [&](const auto& draw) {
     const std::size_t first = quads.size();
-    add_mover(movers_[i], static_cast<std::uint32_t>(i + 1), shot.time_s, quads);
+    draw();
     around.push_back(Moving::around_of(std::span(quads).subspan(first)));
+  };
+  for (std::size_t i = 0; i < comings_.movers.size(); ++i) {
+    const double waited_s = shot.waited_s.empty() ? 0.0 : shot.waited_s[i];
+    const double at_s = std::max(0.0, shot.time_s - waited_s);
+    add([&] { add_mover(comings_.movers[i], static_cast<std::uint32_t>(i + 1), at_s, quads); });
   }
+  for (std::size_t i = 0; i < comings_.obstacles.size(); ++i) {
+    const Obstacle& obstacle = comings_.obstacles[i];
+    if (!obstacle.stands_at(shot.time_s)) continue;
+    add([&] { add_obstacle(obstacle, first_obstacle + static_cast<std::uint32_t>(i), quads); });
+  }
+  return {faces_of(quads, light_.at_time(shot.time_s).on(quads, nullptr)), QuadScene(quads), around};
+}
+
+HallImage HallCamera::take(const HallShot& shot) {
   relight(shot.time_s);
-  const HallLight now = light_.at_time(shot.time_s);
-  look(shot, {faces_of(quads, now.on(quads, nullptr)), QuadScene(quads), around});
+  look(shot, moving_at(shot));
   return develop(shot);
 }
 
