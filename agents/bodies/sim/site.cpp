@@ -63,15 +63,33 @@ FloorSetup floor_in(const Table& table) {
   return floor;
 }
 
+/// Reads how large a rack is, or takes the sizes of the one that it is like.
+void read_rack_size(const Table& table, const Site& site, Box& rack) {
+  rack.like = table.text("like", "");
+  if (rack.like.empty()) {
+    rack.length_m = table.number("length_m", required, 0.1, 200.0);
+    rack.width_m = table.number("width_m", 1.0, 0.1, 20.0);
+    rack.height_m = table.number("height_m", 4.0, 0.1, 20.0);
+    return;
+  }
+  const auto other = std::find_if(site.boxes.begin(), site.boxes.end(),
+                                  [&rack](const Box& box) { return box.name == rack.like && box.like.empty(); });
+  if (other == site.boxes.end()) {
+    table.refuse("like", "names no [[rack]] before it that is like none itself: \"" + rack.like + "\"");
+    return;
+  }
+  rack.length_m = other->length_m;
+  rack.width_m = other->width_m;
+  rack.height_m = other->height_m;
+}
+
 void add_racks(const Table& root, Site& site) {
   for (const Table& table : root.tables("rack", 0, 1000)) {
     Box box;
     box.kind = Box::Kind::rack;
     box.name = table.text("name", "rack " + std::to_string(site.boxes.size() + 1));
     box.site_from_box = pose_in(table);
-    box.length_m = table.number("length_m", required, 0.1, 200.0);
-    box.width_m = table.number("width_m", 1.0, 0.1, 20.0);
-    box.height_m = table.number("height_m", 4.0, 0.1, 20.0);
+    read_rack_size(table, site, box);
     site.boxes.push_back(box);
   }
 }

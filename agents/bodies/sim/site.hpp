@@ -33,6 +33,7 @@ struct Box {
   double height_m = 2.0;
   double contrast = 1.0;  ///< of a wall: factor on its texture about its mean
   bool has_signs = true;  ///< of a wall
+  std::string like = {};  ///< of a rack: the name of the one before it that shows the same; empty: none
 };
 
 struct Station {

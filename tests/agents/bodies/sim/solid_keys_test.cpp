@@ -92,6 +92,18 @@ solid = false
   EXPECT_FALSE(site->movers[2].is_solid);
 }
 
+TEST(SolidKeys, ARackMayBeLikeOneBefore) {
+  const std::string first = "[[rack]]\nname = \"A\"\nx = 5\ny = 7\nlength_m = 2.7\nheight_m = 3\n";
+  const auto site = parse_site(kSolidSite + first + "[[rack]]\nx = 5\ny = 4\nlike = \"A\"\n", "solid.toml");
+  ASSERT_TRUE(site) << site.error().message;
+  EXPECT_EQ(site->boxes[1].length_m, 2.7);
+  EXPECT_EQ(site->boxes[1].height_m, 3.0);
+  EXPECT_THAT(refusal_of_solid(first + "[[rack]]\nx = 5\ny = 4\nlike = \"B\"\n"), HasSubstr("\"B\""));
+  EXPECT_THAT(refusal_of_solid("[[rack]]\nname = \"A\"\nx = 5\ny = 4\nlike = \"A\"\n"), HasSubstr("\"A\""));
+  EXPECT_THAT(refusal_of_solid(first + "[[rack]]\nx = 5\ny = 4\nlike = \"A\"\nlength_m = 3\n"),
+              HasSubstr("length_m"));
+}
+
 TEST(SolidKeys, WhatCannotBeIsRefused) {
   EXPECT_THAT(refusal_of_solid("[[obstacle]]\nx = 5\ny = 5\nkind = \"cow\"\n"), HasSubstr("pallet-jack"));
   EXPECT_THAT(refusal_of_solid("[[obstacle]]\nx = 5\n"), HasSubstr("obstacle[0].y"));
