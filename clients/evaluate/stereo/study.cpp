@@ -12,6 +12,7 @@
 #include "clients/evaluate/stereo/pairs_done.hpp"
 #include "clients/evaluate/stereo/rows.hpp"
 #include "clients/evaluate/study_file.hpp"
+#include "core/camera/camera_file.hpp"
 
 namespace weft::evaluate::stereo {
 namespace {
@@ -33,13 +34,9 @@ class OneThread {
 
 /// Says what the rows were measured of.
 json study_of(const Recording& recording) {
-  const agents::CameraModel& left = recording.sensor.camera;
-  const agents::CameraModel& right = *recording.sensor.right;
   std::string calibration;
-  for (const agents::CameraModel& camera : {left, right})
-    for (const double value : {camera.fx, camera.fy, camera.cx, camera.cy, camera.robot_from_camera.translation.x(),
-                               camera.robot_from_camera.translation.y(), camera.distortion[0]})
-      calibration += std::to_string(value) + " ";
+  for (const agents::CameraModel& camera : {recording.sensor.camera, *recording.sensor.right})
+    calibration += camera_file_text(agents::calibration_from(camera), {});
   return {{"study", "stereo"},
           {"recording", recording.name},
           {"pairs", recording.pairs},

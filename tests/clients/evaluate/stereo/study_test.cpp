@@ -141,6 +141,17 @@ TEST_F(StereoStudy, AnotherTruthIsAnotherStudy) {
   EXPECT_THAT(error_of(first).message, HasSubstr("truth"));
 }
 
+TEST_F(StereoStudy, AnotherCalibrationIsAnotherStudy) {
+  StereoOptions first = options();
+  first.every = {2};
+  ASSERT_TRUE(study(first));
+  agents::CameraModel right = *test::small_sensor().right;
+  right.distortion[3] += 1e-7;
+  test::write_text(folder_ / "drive/mav0/cam1/sensor.yaml", camera_file_text(calibration_from(right), {}));
+  EXPECT_EQ(error_of(first).code, ErrorCode::conflict);
+  EXPECT_THAT(error_of(first).message, HasSubstr("calibration"));
+}
+
 TEST(StereoInvocation, FlagsAndDefaults) {
   const auto plain = std::get<StereoOptions>(parsed({"stereo", "data/euroc-mh01-600/"}));
   EXPECT_TRUE(plain.every.empty());
