@@ -24,7 +24,7 @@ struct RobotInStep {
   bool is_kept_known = false;          ///< `kept_by` is complete
   std::vector<std::uint32_t> met;      ///< robots in the lane where it wants to go, or that cannot make way
   std::optional<Meeting> sent_on;      ///< it has nothing to do, and keeps one out of a lane that would go there
-  bool has_way_out = false;            ///< of that one's way, free or not, when the plan begins
+  bool has_way_out = false;  ///< it can drive out of that one's way, be that free or not, when the plan begins
 };
 
 }  // namespace weft::server

@@ -31,6 +31,7 @@ void SafeStates::put(std::uint32_t robot, Berth at) {
   forget_ways_over(at);
 }
 
+/// Forgets ways out that lead over the berth, where somebody is now.
 void SafeStates::forget_ways_over(Berth berth) {
   for (WaysOut& ways : ways_out_) ways.is_known = ways.is_known && !has(ways.touched, berth);
 }
