@@ -65,6 +65,8 @@ class Bus {
   virtual void forget(const PeerId& peer) = 0;
   /// Returns false while it waits for its link or is being opened anew: publish says `unavailable` then.
   virtual bool is_open() const { return true; }
+  /// Asks that the link be opened anew soon: who speaks over it is not answered, though it may hear others.
+  virtual void open_anew() {}
   /// Returns what happened to its link since the last call, for the log: "waits for its link: ...".
   virtual std::vector<std::string> drain_notices() { return {}; }
 };

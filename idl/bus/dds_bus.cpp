@@ -63,7 +63,7 @@ Result<void> DdsBus::start() {
     servers_ = std::move(*servers);
     if (const Result<void> joined = join(link->ipv4); !joined) return joined;
   } else {
-    act(keeping_.next({steady(), 0, *link, servers_, {}}), *link);
+    act(keeping_.next({.now = steady(), .received = 0, .link = *link, .servers = servers_}), *link);
   }
   keeper_ = std::jthread([this](const std::stop_token& stop) { keep(stop); });
   return {};
@@ -109,13 +109,18 @@ void DdsBus::keep(const std::stop_token& stop) {
     const LocalLink link = local_link(config_.listen).value_or(LocalLink{});
     if (auto answer = lookup_.answer()) servers_ = std::move(answer);
     const SteadyTime now = steady();
-    const Keeping::Decision decision = keeping_.next({now, inbox_.counters().received, link, servers_, now - looked});
+    const Keeping::Decision decision = keeping_.next({.now = now,
+                                                      .received = inbox_.counters().received,
+                                                      .link = link,
+                                                      .servers = servers_,
+                                                      .is_unanswered = is_unanswered_.exchange(false),
+                                                      .unseen = now - looked});
     act(decision, link);
     looked = steady();
     if (decision.step == Keeping::Step::leave) continue;  // and joins at once where it can
     std::unique_lock lock(mutex_);
     if (participant_ != nullptr) participant_->forget_readerless(steady());
-    stopping_.wait_for(lock, stop, kBetweenLooks, [] { return false; });
+    stopping_.wait_for(lock, stop, kBetweenLooks, [this] { return is_unanswered_.load(); });
   }
 }
 
@@ -127,6 +132,14 @@ void DdsBus::act(const Keeping::Decision& decision, const LocalLink& link) {
   if (const Result<void> joined = join(link.ipv4); !joined) {
     keeping_.failed(steady(), one_line(joined.error().message));
   }
+}
+
+void DdsBus::open_anew() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_unanswered_ = true;
+  }
+  stopping_.notify_all();
 }
 
 void DdsBus::notify(std::string text) {

@@ -33,6 +33,7 @@ class DdsBus final : public Bus {
   BusCounters counters() const override;
   void forget(const PeerId& peer) override;
   bool is_open() const override { return is_open_; }
+  void open_anew() override;
   std::vector<std::string> drain_notices() override;
 
  private:
@@ -50,6 +51,7 @@ class DdsBus final : public Bus {
   const JoinDomain join_;
   Inbox inbox_;  ///< outlives every participant
   std::atomic<bool> is_open_ = false;
+  std::atomic<bool> is_unanswered_ = false;  ///< since the keeper's last look
 
   mutable std::mutex mutex_;
   // Guarded by mutex_:

@@ -86,7 +86,9 @@ second. A participant that is silent for 5 s is forgotten.
 A Cyclone DDS peer is two participants: the first makes the server known to it before the second, which has all readers
 and writers, announces itself. Datagrams hold at most 1,392 bytes, so that one lost frame loses no more than itself; between
 addresses on loopback 65,500. When a peer hears nothing for 3 s it asks again where its server's name leads, and joins anew
-when that has changed; after 8 s of silence, then 16, 32 and every 60 s, it joins anew in any case, under a new GUID. What
+when that has changed; after 8 s of silence, then 16, 32 and every 60 s, it joins anew in any case, under a new GUID. So does a client
+(`weft`) that hears the server and to which nothing is answered, after 10 s and then at doubled intervals (`Session::converse`): what it knows of the
+server may be of where that was. What
 is sent on topics of the last state of a key is told anew then. The server drops the writers for a peer that has had no
 reader for 10 s.
 

@@ -43,6 +43,8 @@ Keeping::Decision Keeping::next(const Sight& sight) {
                      std::to_string(std::chrono::duration_cast<std::chrono::seconds>(sight.unseen).count()) +
                      " s, and others may have forgotten it: opens its link anew");
   }
+  if (at_.has_value() && sight.is_unanswered && sight.link.carries)
+    return leave(sight.now, "is not answered: opens its link anew");
   return at_.has_value() ? inside(sight) : outside(sight);
 }
 

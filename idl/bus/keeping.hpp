@@ -17,7 +17,8 @@ struct Sight {
   LocalLink link;              ///< of the interface that is listened on
   /// Says where the servers' names lead by the last answer of the resolver; none: it has not answered.
   std::optional<std::vector<ServerAddress>> servers;
-  Duration unseen{};  ///< since the last look, as far as it passed while nothing was being done
+  bool is_unanswered = false;  ///< who speaks over the bus says so, since the last look
+  Duration unseen{};           ///< since the last look, as far as it passed while nothing was being done
 };
 
 /// Decides when a process joins its DDS domain and when it leaves it to join anew: vendors bind to addresses once,

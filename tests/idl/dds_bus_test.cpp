@@ -48,5 +48,23 @@ TEST(DdsBus, OpensAnewWhenItsInterfaceFailedWhileItOpened) {
   EXPECT_THAT(bus.drain_notices(), testing::Contains(testing::HasSubstr("lost its carrier")));
 }
 
+TEST(DdsBus, OpensAnewWhenItIsAskedTo) {
+  std::atomic<int> joined = 0;
+  DdsBus bus(robot_on_loopback(), topics(), "stand-in",
+             [&](const Addresses&, Inbox&) -> Result<std::unique_ptr<Participant>> {
+               ++joined;
+               return std::make_unique<StandIn>(true);
+             });
+  ASSERT_TRUE(bus.start());
+  EXPECT_EQ(joined, 1);
+  bus.open_anew();
+  const auto limit = std::chrono::steady_clock::now() + 60s;
+  while (!(joined == 2 && bus.is_open()) && std::chrono::steady_clock::now() < limit)
+    std::this_thread::sleep_for(5ms);
+  EXPECT_EQ(joined, 2);
+  EXPECT_TRUE(bus.is_open());
+  EXPECT_THAT(bus.drain_notices(), testing::Contains(testing::HasSubstr("is not answered: opens its link anew")));
+}
+
 }  // namespace
 }  // namespace weft::bus

@@ -75,6 +75,27 @@ TEST_F(Kept, FollowsItsInterfacesAddress) {
   EXPECT_EQ(after(0s).step, Step::join);
 }
 
+TEST_F(Kept, OpensAnewForWhoeverIsNotAnsweredAlthoughItHears) {
+  join();
+  after(2s);
+  hear();
+  sight.is_unanswered = true;
+  const auto asked = after(500ms);
+  EXPECT_EQ(asked.step, Step::leave);
+  EXPECT_THAT(asked.notice, HasSubstr("is not answered: opens its link anew"));
+  sight.is_unanswered = false;
+  EXPECT_EQ(after(0s).step, Step::join);
+  join();
+  EXPECT_EQ(after(500ms).step, Step::stay) << "once for each time that it is asked";
+}
+
+TEST_F(Kept, OpensNothingAnewForWhoeverIsNotAnsweredWithoutACarrier) {
+  join();
+  sight.link = kNoCarrier;
+  sight.is_unanswered = true;
+  EXPECT_EQ(after(500ms).step, Step::stay) << "it comes back by itself";
+}
+
 TEST_F(Kept, AnAddressGivenBackAtOnceIsTheSame) {
   join();
   sight.link = {"wlan0", "", false};
