@@ -47,7 +47,7 @@ Labels settle(const Snapshot& snapshot, const RuleMap& rules, const PlaceId& fro
     snapshot.for_each_edge(here, [&](const Edge& edge) {
       if (!can_drive(edge, here) || !methods.contains(edge.method)) return;
       const PlaceId there = other_end(edge, here);
-      if (snapshot.place(there) == nullptr || rules.barrier(here, there, passage) != nullptr) return;
+      if (snapshot.place(there) == nullptr || rules.bars(here, there, passage)) return;
       PlaceLabel& label = labels[there];
       const double cost = so_far + norm(edge.a_from_b) * std::max(factor_at(rules, here), factor_at(rules, there));
       if (label.is_settled || cost >= label.cost) return;
@@ -71,13 +71,12 @@ Path path_to(const PlaceId& to, const Labels& labels) {
   return path;
 }
 
-/// Returns the first rule on a way that bars it, and from where on; null: none does.
-std::pair<const Rule*, PlaceId> first_barrier(const RuleMap& rules, const std::vector<PlaceId>& places,
-                                              const Passage& passage) {
+/// Returns the first hop of a way that cannot be driven; none: it can.
+std::optional<Span> first_bar(const RuleMap& rules, const std::vector<PlaceId>& places, const Passage& passage) {
   for (std::size_t at = 1; at < places.size(); ++at) {
-    if (const Rule* const rule = rules.barrier(places[at - 1], places[at], passage)) return {rule, places[at]};
+    if (rules.bars(places[at - 1], places[at], passage)) return Span{places[at - 1], places[at]};
   }
-  return {nullptr, {}};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -123,6 +122,11 @@ const Rule* RuleMap::barrier(const PlaceId& from, const PlaceId& to, const Passa
     if (!is_inside(number, passage.begins)) return &rules_[number];
   }
   return nullptr;
+}
+
+bool RuleMap::bars(const PlaceId& from, const PlaceId& to, const Passage& passage) const {
+  const bool is_closed = passage.closed != nullptr && passage.closed->contains({from, to});
+  return is_closed || barrier(from, to, passage) != nullptr;
 }
 
 const Rule* RuleMap::first_of(const PlaceId& place, RuleKind kind) const {
@@ -230,15 +234,17 @@ Result<Path> shortest_path(const Snapshot& snapshot, const RuleMap& rules, const
 }
 
 bool is_free(const RuleMap& rules, const Path& path, const Passage& passage) {
-  if (rules.empty()) return true;
-  if (first_barrier(rules, path.places, passage).first != nullptr) return false;
+  if (rules.empty() && passage.closed == nullptr) return true;
+  if (first_bar(rules, path.places, passage)) return false;
   return std::ranges::all_of(path.places, [&](const PlaceId& place) { return factor_at(rules, place) == 1.0; });
 }
 
 std::string barred_text(const RuleMap& rules, const Path& path, const Passage& passage) {
-  const auto [rule, place] = first_barrier(rules, path.places, passage);
-  const std::string name = rule == nullptr ? "(none)" : rule->name;
-  return "rule " + name + " bars the way to " + to_string(path.places.back()) + " from " + to_string(place) +
+  const Span bar = first_bar(rules, path.places, passage).value_or(Span{});
+  const std::string to = to_string(path.places.back());
+  const Rule* const rule = rules.barrier(bar.from, bar.to, passage);
+  if (rule == nullptr) return "the way to " + to + " is closed at " + to_string(bar) + ", and no other leads there";
+  return "rule " + rule->name + " bars the way to " + to + " from " + to_string(bar.to) +
          " on, and no other way leads there: weft rule list";
 }
 

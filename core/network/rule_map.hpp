@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,14 @@
 
 namespace weft {
 
+/// Names hops, from one place to a neighbouring one, that are closed to somebody though no rule bars them.
+using ClosedHops = std::set<Span>;
+
 /// Describes who drives: rules let those leave who are inside already.
 struct Passage {
-  PlaceId begins;            ///< where the robot is, or is released to
-  bool keeps_limits = true;  ///< otherwise what is slowed is closed to it
+  PlaceId begins;                      ///< where the robot is, or is released to
+  bool keeps_limits = true;            ///< otherwise what is slowed is closed to it
+  const ClosedHops* closed = nullptr;  ///< to this robot alone; null: none are
 };
 
 /// Holds what all rules of one map come to, place by place. Immutable.
@@ -27,6 +32,8 @@ class RuleMap {
   bool empty() const { return rules_.empty(); }
   /// Returns the rule that keeps a robot from driving from one place to a neighbouring one; null: none does.
   const Rule* barrier(const PlaceId& from, const PlaceId& to, const Passage& passage) const;
+  /// Returns whether a rule keeps the robot from driving so, or that is closed to it.
+  bool bars(const PlaceId& from, const PlaceId& to, const Passage& passage) const;
   /// Returns the rule that holds robots there; null: none does.
   const Rule* hold(const PlaceId& place) const;
   /// Returns whether there is a rule of kind capacity.
@@ -77,14 +84,15 @@ std::vector<SpeedLimit> limits_of(const RuleMap& rules, const std::vector<PlaceI
 
 /// Finds a least-cost way like `weft::shortest_path` that no rule bars; where a limit holds, a metre costs as many
 /// times more as it takes longer than at the usual speed. not_found: there is none; names the rule that bars the one
-/// there would be. Takes what lies within the way's length, not what the map does.
+/// there would be, or what is closed of it. Takes what lies within the way's length, not what the map does.
 Result<Path> shortest_path(const Snapshot& snapshot, const RuleMap& rules, const PlaceId& from, const PlaceId& to,
                            const std::set<std::string>& methods, const Passage& passage);
 
-/// Returns whether rules make a way neither dearer nor bar it: then it is a least-cost way with them, too.
+/// Returns whether rules make a way neither dearer nor bar it, and none of it is closed: then it is a least-cost way
+/// with them, too.
 bool is_free(const RuleMap& rules, const Path& path, const Passage& passage);
 
-/// Says which rule bars the way, for people; the way is one that rules bar.
+/// Says which rule bars the way, or what is closed of it, for people; the way is one that cannot be driven.
 std::string barred_text(const RuleMap& rules, const Path& path, const Passage& passage);
 
 }  // namespace weft

@@ -295,6 +295,26 @@ RuleExtent extent_of(const Snapshot& snapshot, const Rule& rule) {
   return extent;
 }
 
+std::set<Span> hops_on_the_floor_of(const Snapshot& snapshot, const std::vector<PlaceId>& way) {
+  std::set<Span> hops;
+  std::set<PlaceId> places;
+  std::vector<std::vector<Beside>> floors;
+  for (const PlaceId& place : way) {
+    floors.push_back(on_the_floor_of(snapshot, place));
+    for (const Beside& beside : floors.back()) places.insert(beside.place);
+  }
+  for (std::size_t at = 0; at + 1 < way.size(); ++at) {
+    hops.insert({{way[at], way[at + 1]}, {way[at + 1], way[at]}});
+    const Eigen::Vector2d onward = way_to(snapshot, way[at], way[at + 1]);
+    const Eigen::Vector2d back = way_to(snapshot, way[at + 1], way[at]);
+    for (const double sign : {1.0, -1.0}) {
+      for (const Beside& beside : floors[at]) forbid(snapshot, beside, onward, sign, places, hops);
+      for (const Beside& beside : floors[at + 1]) forbid(snapshot, beside, back, sign, places, hops);
+    }
+  }
+  return hops;
+}
+
 std::vector<PlaceId> spots_of(const Snapshot& snapshot, RuleKind kind) {
   std::vector<PlaceId> spots;
   const auto add = [&](const PlaceId& place) {

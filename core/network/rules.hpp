@@ -1,4 +1,5 @@
 #pragma once
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct RuleExtent {
 };
 /// Finds where a rule holds; costs what the extent is large, not the map.
 RuleExtent extent_of(const Snapshot& snapshot, const Rule& rule);
+
+/// Returns the hops of every run that lead along that way or back over its floor, and those of the way itself; what
+/// crosses it is none of them.
+std::set<Span> hops_on_the_floor_of(const Snapshot& snapshot, const std::vector<PlaceId>& way);
 
 /// Returns where robots stand by the rules of that kind, of those places that the map has: the place of each rule's
 /// label, and the last place of each of its stretches. Lists them in order of the rules' names, each place once.

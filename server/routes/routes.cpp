@@ -77,9 +77,9 @@ const RuleMap& Routes::rules() {
 }
 
 Result<Path> Routes::find_allowed(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods,
-                                  bool keeps_limits, SteadyTime now) {
+                                  bool keeps_limits, SteadyTime now, const ClosedHops* closed) {
   Result<Path> free = find(from, to, methods, now);
-  const Passage passage{.begins = from, .keeps_limits = keeps_limits};
+  const Passage passage{.begins = from, .keeps_limits = keeps_limits, .closed = closed};
   // Rules make ways longer and never shorter: the best of all is the best of those that are left, if it is one.
   if (!free || is_free(rules(), *free, passage)) return free;
   return shortest_path(context_.snapshots.current(), rules(), from, to, methods, passage);

@@ -25,9 +25,10 @@ class Routes {
   /// Finds a route as `weft::shortest_path`, of equally long ones any. When there is no way, the message may be that
   /// of a recent search for the same goal: to make one takes a search of the whole network.
   Result<Path> find(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods, SteadyTime now);
-  /// Finds one that rules let a robot drive, which begins at `from`. not_found: there is none; names the rule.
+  /// Finds one that rules let a robot drive, which begins at `from`, over nothing that is closed to it; null: nothing
+  /// is. not_found: there is none; names the rule.
   Result<Path> find_allowed(const PlaceId& from, const PlaceId& to, const std::set<std::string>& methods,
-                            bool keeps_limits, SteadyTime now);
+                            bool keeps_limits, SteadyTime now, const ClosedHops* closed = nullptr);
   /// Returns what the rules of the map come to, as it is.
   const RuleMap& rules();
 
