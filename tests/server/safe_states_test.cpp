@@ -33,6 +33,8 @@ struct SafeStatesTest : testing::Test {
   Berth east() const { return graph.at(12, 9, Heading::west); }
   Berth north() const { return graph.at(9, 6, Heading::south); }
   Berth south() const { return graph.at(9, 12, Heading::north); }
+  /// Is where one ends that has come from the west and has driven so many berths down the southern lane.
+  Berth south_of_west(int berths) const { return graph.at(9, 9 + berths, Heading::south); }
   Berth southern_block() const { return graph.at(7, 20, Heading::south); }
 
   HeadedGraph graph{crossing()};
@@ -98,12 +100,63 @@ TEST_F(SafeStatesTest, ThoseThatAreStuckAlreadyKeepNobody) {
   EXPECT_THAT(states.stuck_by(3, graph.at(9, 11, Heading::north), {}), IsEmpty());
 }
 
-TEST_F(SafeStatesTest, GridlockedRobotsMayBeStuckByOneOfThem) {
+TEST_F(SafeStatesTest, AGridlockedRobotDoesNotShutItselfInAmongOthers) {
   states.add({west(), 0}, true);
   states.add({east(), 0});
   states.add({north(), 0}, true);
   states.add({southern_block(), 0}, true);
-  EXPECT_THAT(states.stuck_by(3, south(), {}), ElementsAre(1)) << "it is not gridlocked itself";
+  EXPECT_THAT(states.stuck_by(3, south(), {}), ElementsAre(0, 1, 2, 3));
+}
+
+/// Behind the crossing's last free lane, with all four lanes taken: a spur leads into the southern blocks, in which a
+/// robot can get to just as many berths as one that gets away, and from the spur's end on to one less.
+struct SpurTest : SafeStatesTest {
+  static std::vector<std::string> with_spur() {
+    std::vector<std::string> rows = crossing();
+    rows[20][12] = '.';
+    return rows;
+  }
+  void arrange(bool is_gridlocked) {
+    for (const Lanes::Stand& stand : {at(6, 9, Heading::east), at(12, 9, Heading::west), at(9, 6, Heading::south)})
+      around.add(stand, is_gridlocked);
+    around.add(at(12, 20, Heading::west), is_gridlocked);
+    around.add(at(9, 12, Heading::north), is_gridlocked);
+  }
+  Lanes::Stand at(int x, int y, Heading heading) const { return {spur.at(x, y, heading), 0}; }
+
+  HeadedGraph spur{with_spur()};
+  Lanes spur_lanes{spur};
+  SafeStates around{spur, spur_lanes};
+};
+
+TEST_F(SpurTest, WhoHasALittleLessBeforeItIsStuck) {
+  arrange(false);
+  EXPECT_THAT(around.stuck_by(3, at(11, 20, Heading::west).berth, {}), ElementsAre(3, 4));
+}
+
+TEST_F(SpurTest, AGridlockedRobotMayStandWhereItGetsHalfAsFar) {
+  arrange(true);
+  EXPECT_THAT(around.stuck_by(3, at(11, 20, Heading::west).berth, {}), IsEmpty());
+}
+
+TEST_F(SafeStatesTest, WhoGetsPastTheOthersHasAWayOut) {
+  states.add({west(), 0});
+  states.add({east(), 0});
+  states.add({north(), 0});
+  const std::vector<Berth> way = states.way_out(0, 6);
+  ASSERT_EQ(way.size(), 6U);
+  EXPECT_EQ(way.back(), south_of_west(3)) << "down the lane that is left";
+  EXPECT_TRUE(states.is_way_out(0, way));
+  states.put(0, way[2]);
+  EXPECT_TRUE(states.is_way_out(0, {way.begin() + 3, way.end()}));
+  EXPECT_FALSE(states.is_way_out(0, way)) << "it does not begin where the robot stands";
+  states.put(1, way[4]);
+  EXPECT_FALSE(states.is_way_out(0, {way.begin() + 3, way.end()})) << "somebody stands there";
+}
+
+TEST_F(SafeStatesTest, WhoIsShutInOrNowhereHasNoWayOut) {
+  for (const Berth berth : {west(), east(), north(), south(), kNoBerth}) states.add({berth, 0});
+  for (std::uint32_t robot = 0; robot < 5; ++robot) EXPECT_THAT(states.way_out(robot, 6), IsEmpty());
 }
 
 TEST_F(SafeStatesTest, WhoIsNowhereIsInNobodysWay) {

@@ -16,6 +16,8 @@ constexpr double kFarthest_m = 6.0;
 /// Is what locating a place counts as work, and how many comparisons with others count as one.
 constexpr std::uint64_t kWorkToLocate = 4;
 constexpr std::size_t kComparedForWork = 16;
+/// Bounds how many ways of driving are numbered until all are forgotten: what is closed to one robot makes another.
+constexpr std::size_t kMostDrives = 64;
 
 }  // namespace
 
@@ -29,7 +31,7 @@ bool Berths::begin_to_follow(const RuledNetwork& network, double footprint_m) {
   rules_ = network.rules;
   const bool is_same = network_ != nullptr && network_ == network.network && footprint_m_ == footprint_m &&
                        laid_moves_ == proximity_.layout().moves() && laid_ == proximity_.layout().laid();
-  if (is_same) return false;
+  if (is_same && methods_.size() <= kMostDrives) return false;
   if (footprint_m_ != footprint_m) runs_.clear();
   network_ = network.network;
   footprint_m_ = footprint_m;
@@ -40,6 +42,7 @@ bool Berths::begin_to_follow(const RuledNetwork& network, double footprint_m) {
   middles_.clear();
   numbers_.clear();
   berths_.clear();
+  if (methods_.size() > kMostDrives) methods_.clear();
   located_.clear();
   cut_through_.reset();
   std::erase_if(runs_, [this](const auto& run) { return network_->experience(run.first) == nullptr; });
@@ -226,7 +229,9 @@ Drivables Berths::ruled(Berth berth, std::uint32_t methods) const {
   return {.network = *network_,
           .rules = *rules_,
           .methods = methods_[methods].methods,
-          .passage = {.begins = place(berth), .keeps_limits = methods_[methods].keeps_limits},
+          .passage = {.begins = place(berth),
+                      .keeps_limits = methods_[methods].keeps_limits,
+                      .closed = &methods_[methods].closed},
           .farthest_m = std::max(kFarthest_m, (kMostRooms + 1.0) * room_m())};
 }
 

@@ -28,6 +28,7 @@ struct RuledNetwork {
 struct Drives {
   std::set<std::string> methods;
   bool keeps_limits = false;
+  ClosedHops closed{};  ///< to it alone
   bool operator==(const Drives&) const = default;
 };
 

@@ -47,7 +47,7 @@ std::vector<Drive> drives(const Drivables& drivables, const PlaceId& from, Headi
       // Counts a robot from far away as beginning where it leaves: it begins no nearer.
       Passage passage = drivables.passage;
       if (heading == Heading::backward) passage.begins = leaves;
-      if (drivables.rules.barrier(leaves, enters, passage) != nullptr) return;
+      if (drivables.rules.bars(leaves, enters, passage)) return;
       open.push({here.length_m + norm(edge.a_from_b), there, here.place});
     });
   }

@@ -1,10 +1,14 @@
 #include "server/traffic/plan/gridlock.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace weft::server {
 namespace {
+
+/// Is over how many berths a robot is led away: past the next crossing and the lane behind it.
+constexpr std::size_t kLedOver = 6;
 
 /// Returns whether the robot stands where others could ask it to move.
 bool stands(const MovePlan& plan, const std::vector<PlanRobot>& robots, std::size_t robot) {
@@ -65,6 +69,26 @@ bool keep_others(const MovePlan& plan, const std::vector<PlanRobot>& robots, con
     }
   }
   return false;
+}
+
+LedAway led_away_of(SafeStates& states, const MovePlan& plan, const std::vector<PlanRobot>& robots,
+                    const std::vector<bool>& locked, const std::function<std::uint64_t(std::uint32_t)>& led_at) {
+  std::vector<bool> keeps(robots.size());
+  for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+    for (const std::uint32_t other : plan.kept_by[robot]) keeps[other] = keeps[other] || locked[robot];
+  }
+  const auto rank = [&](std::uint32_t robot) {
+    return std::tuple(led_at(robot), !keeps[robot], robots[robot].waits_s);
+  };
+  LedAway one;
+  for (std::uint32_t robot = 0; robot < robots.size(); ++robot) {
+    if (!locked[robot] || !stands(plan, robots, robot)) continue;
+    if (one.robot != kNobody && rank(one.robot) <= rank(robot)) continue;
+    const std::vector<Berth>& avoids = robots[robot].avoids;
+    std::vector<Berth> over = states.way_out(robot, kLedOver);
+    if (!over.empty() && std::ranges::find_first_of(over, avoids) == over.end()) one = {robot, std::move(over)};
+  }
+  return one;
 }
 
 }  // namespace weft::server

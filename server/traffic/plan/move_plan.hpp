@@ -27,9 +27,11 @@ struct PlanRobot {
   std::uint32_t handles = 0;              ///< steps for which it cannot be asked, as it is at work where it was going
   std::vector<Berth> avoids;              ///< it could not drive there
   bool stays = false;                     ///< it does not move by itself, and nobody can ask it to
+  bool gives_way = false;                 ///< though it has a goal, to those that go before it and wait for it
   bool is_gridlocked = false;             ///< as others are; it may move though some of these cannot get away then
   std::uint8_t priority = 0;              ///< the larger, the more urgent
   double waits_s = 0.0;                   ///< since its goal was asked for
+  std::vector<Berth> led_over;            ///< the berths over which it is led away, in order, its goal or not
   std::optional<Meeting> sent_on;         ///< it has nothing to do, and was found to keep that one from going there
 };
 

@@ -89,6 +89,7 @@ void MoveSteps::begin_step() {
 bool MoveSteps::goes_before(std::uint32_t a, std::uint32_t b) const {
   const PlanRobot& first = states_[a].robot;
   const PlanRobot& second = states_[b].robot;
+  if (is_led(a) != is_led(b)) return is_led(a);
   if (states_[a].leaves != states_[b].leaves) return states_[a].leaves;
   if (is_sent_first(a) != is_sent_first(b)) return is_sent_first(a);
   if ((first.goal == nullptr) != (second.goal == nullptr)) return first.goal != nullptr;
@@ -166,9 +167,20 @@ bool MoveSteps::is_sent_first(std::uint32_t robot) const {
   return state.robot.is_gridlocked && state.robot.goal == nullptr && state.sent_on;
 }
 
-/// Returns whether nobody is stuck when the robot moves as it wishes; it is there then.
+/// Returns whether the robot lets the one past first that it keeps: it has nothing else to do, or that one goes
+/// before it, was refused in this step, and would wait for ever.
+bool MoveSteps::is_sent_on(std::uint32_t robot) const {
+  const RobotInStep& state = states_[robot];
+  if (!state.sent_on || state.leaves) return false;
+  const bool gives_way = state.robot.gives_way && state.sent_in == step_ && goes_before(state.sent_on->robot, robot);
+  return state.robot.goal == nullptr || gives_way;
+}
+
+/// Returns whether nobody is stuck when the robot moves as it wishes; it is there then. One that is led away is not
+/// asked: its way was found free.
 bool MoveSteps::is_safe(std::uint32_t robot) {
-  const std::vector<std::uint32_t> stuck = safe_.stuck_by(robot, states_[robot].wish->to, {});
+  std::vector<std::uint32_t> stuck;
+  if (!is_led(robot)) stuck = safe_.stuck_by(robot, states_[robot].wish->to, {});
   for (const std::uint32_t other : stuck) {
     if (other != robot) note_kept(robot, other);
   }
@@ -209,6 +221,7 @@ void MoveSteps::move(std::uint32_t robot, std::uint32_t step) {
   plan_.moves[robot].push_back({arc, state.robot.at, step, std::exchange(state.first, {})});
   occupied_.leave(state.robot.at);
   state.robot.at = arc->to;
+  if (is_led(robot)) ++state.led;
   meetings_.moves(robot, arc->to);
   state.is_kept_known = true;
   occupied_.stand(arc->to, robot);

@@ -48,7 +48,10 @@ class MoveSteps {
   void look_at_pockets();
   void forget_asked(std::size_t first);
   bool goes_before(std::uint32_t a, std::uint32_t b) const;
+  /// Returns whether the robot is being led away: it drives on before all others.
+  bool is_led(std::uint32_t robot) const { return states_[robot].led < states_[robot].robot.led_over.size(); }
   bool is_sent_first(std::uint32_t robot) const;
+  bool is_sent_on(std::uint32_t robot) const;
   bool is_safe(std::uint32_t robot);
   bool can_leave_for_others(std::uint32_t robot);
   bool is_there(std::uint32_t robot) const {
@@ -71,6 +74,7 @@ class MoveSteps {
   template <class IsOut>
   bool clears(std::uint32_t robot, IsOut&& is_out);
   bool is_closed(std::uint32_t robot, const BerthArc& arc);
+  bool is_led_on(std::uint32_t robot);
   bool goes(std::uint32_t robot, std::uint32_t asker);
   std::vector<MoveChoice> choices(std::uint32_t robot, std::uint32_t asker);
   bool set_off(std::uint32_t robot, const BerthArc& arc, Care care);

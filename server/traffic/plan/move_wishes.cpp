@@ -24,6 +24,7 @@ bool MoveSteps::wish(std::uint32_t robot, std::uint32_t asker) {
 bool MoveSteps::choose(std::uint32_t robot, std::uint32_t asker) {
   RobotInStep& state = states_[robot];
   state.met.clear();
+  if (is_led(robot)) return is_led_on(robot);
   if (asker != kNobody) return goes(robot, asker);
   if (turns_.is_refused(robot, state.robot)) {
     return clears(robot, [&](const PlanRobot& there) { return !turns_.is_refused(robot, there); });
@@ -32,16 +33,19 @@ bool MoveSteps::choose(std::uint32_t robot, std::uint32_t asker) {
     ++plan_.pushes;
     return clears(robot, [&](const PlanRobot& there) { return !turns_.is_in_a_mouth(there); });
   }
-  if (state.robot.goal == nullptr && !state.leaves && state.sent_on) {
+  if (is_sent_on(robot)) {
     const Meeting other = *state.sent_on;
     const auto is_out = [&](const PlanRobot& there) { return !would_keep_from(robot, there, other); };
-    const bool is_first = step_ == 0;
+    const bool has_goal = state.robot.goal != nullptr;
+    const bool is_first = step_ == 0 && !has_goal;
     const bool can_now = !meetings_.are_face_to_face(robot, other.robot);
     const bool is_in_the_way = (can_now || is_first) && !is_out(state.robot);
     if (is_first) state.has_way_out = is_in_the_way && way_out(robot, is_out) != nullptr;
     if (is_in_the_way && can_now) {
       ++plan_.pushes;
-      return clears(robot, is_out);
+      const bool is_cleared = clears(robot, is_out);
+      if (is_cleared || !has_goal) return is_cleared;
+      state.met.clear();
     }
   }
   if (goes(robot, kNobody)) return true;
@@ -104,6 +108,15 @@ bool MoveSteps::is_closed(std::uint32_t robot, const BerthArc& arc) {
   });
 }
 
+/// Has the robot make the next drive of the way on which it is led away.
+bool MoveSteps::is_led_on(std::uint32_t robot) {
+  const PlanRobot& led = states_[robot].robot;
+  const std::vector<BerthArc>& next = graph_.next(led.at, led.methods);
+  const auto arc = std::find_if(next.begin(), next.end(),
+                                [&](const BerthArc& one) { return one.to == led.led_over[states_[robot].led]; });
+  return arc != next.end() && set_off(robot, *arc, Care::off_where_they_end);
+}
+
 bool MoveSteps::goes(std::uint32_t robot, std::uint32_t asker) {
   const std::vector<MoveChoice> choices = this->choices(robot, asker);
   const auto takes = [&](Care care) {
@@ -153,7 +166,7 @@ bool MoveSteps::set_off(std::uint32_t robot, const BerthArc& arc, Care care) {
     note_kept(robot, other);
     return false;
   }
-  if (would_meet(robot, arc)) return false;
+  if (!is_led(robot) && would_meet(robot, arc)) return false;
   put_wish(robot, &arc);
   const bool goes_in = turns_.take(arc.to, robot);
   std::uint32_t asked = 0;
@@ -193,6 +206,7 @@ void MoveSteps::note_met(std::uint32_t robot, std::uint32_t other, Berth to) {
   note_kept(robot, other);
   states_[robot].met.push_back(other);
   states_[other].sent_on = {robot, to};
+  states_[other].sent_in = step_;
 }
 
 /// Returns who keeps the robot from wishing for that drive.

@@ -59,6 +59,7 @@ bool Planner::plan_nothing(std::size_t robots) {
   for (std::size_t robot = 0; robot < robots; ++robot) released_->add({});
   methods_.assign(robots, 0);
   makes_way_.assign(robots, std::nullopt);
+  led_moves_.assign(robots, 0);
   cut_off_by_.assign(robots, kNobody);
   moving_ = 0;
   return false;
@@ -191,11 +192,11 @@ std::uint32_t Planner::may(std::uint32_t robot, std::uint32_t held) {
   for (; move < turn; ++move, ++held) {
     const bool is_far = held >= kBerthsAheadAlone || (held >= kBerthsAhead && order_.is_shared(robot, move));
     const Berth to = order_.moves(robot)[move].arc->to;
-    if ((moving_ > 1 && is_far) || !released_->kept_by(robot, to).empty()) break;
+    if ((moving_ > 1 && is_far) || (!is_led(robot, move) && !released_->kept_by(robot, to).empty())) break;
     released_->put(robot, to);
   }
   released_->put(robot, at);
-  return makes_way_[robot] ? without_return(robot, move) : move;
+  return makes_way_[robot] && !is_led(robot, order_.released(robot)) ? without_return(robot, move) : move;
 }
 
 /// Returns how many of the moves lead a robot that makes way on: to where it stood before, and was in the way, it
@@ -220,6 +221,7 @@ std::vector<std::uint32_t> Planner::waits_for(std::uint32_t robot) {
     const bool is_cut_off = others.empty() && cut_off_by_[robot] != kNobody;
     return is_cut_off ? std::vector{cut_off_by_[robot]} : others;
   }
+  if (is_led(robot, move)) return {};
   std::vector<std::uint32_t> robots = released_->kept_by(robot, order_.moves(robot)[move].arc->to);
   std::erase(robots, robot);
   return robots;

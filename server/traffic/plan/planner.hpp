@@ -11,6 +11,7 @@
 #include "server/traffic/plan/berths.hpp"
 #include "server/traffic/plan/distances.hpp"
 #include "server/traffic/plan/lanes.hpp"
+#include "server/traffic/plan/led_robots.hpp"
 #include "server/traffic/plan/move_plan.hpp"
 #include "server/traffic/plan/move_steps.hpp"
 #include "server/traffic/plan/plan_order.hpp"
@@ -96,8 +97,9 @@ class Planner {
     /// Names what comes next.
     enum class Part : std::uint8_t { cut, number, describe, cut_off, move };
     /// Names what the moves are planned for: once more where robots that are cut off keep others, and where some are
-    /// gridlocked.
-    enum class Round : std::uint8_t { all, without_cut_off, gridlocked };
+    /// gridlocked first with those that go after others giving way to these, then with nobody asking the others, and
+    /// last with one of them led away.
+    enum class Round : std::uint8_t { all, without_cut_off, giving_way, gridlocked, led_away };
 
     Making(std::vector<PlanRequest> asked, Part first) : requests(std::move(asked)), part(first) {}
 
@@ -117,6 +119,9 @@ class Planner {
   void cut_off_next();
   void move_on(std::uint64_t most);
   bool plans_anew(const MovePlan& plan);
+  SafeStates standing(const std::vector<PlanRobot>& robots);
+  bool leads_away_one(const MovePlan& plan, const std::vector<bool>& locked);
+  void lead_on_as_before();
   void end_with(MovePlan plan);
   void send_on_as_before();
   void note_sent_on(const MovePlan& plan);
@@ -132,6 +137,8 @@ class Planner {
   PlaceId guide(const PlanRequest& request, std::uint32_t methods);
   Distances& distances(const PlaceId& to, std::uint32_t methods);
   void forget_unused();
+  /// Returns whether that move of the robot leads it away from others, round all where they stood.
+  bool is_led(std::uint32_t robot, std::uint32_t move) const { return move < led_moves_[robot]; }
   std::uint32_t without_return(std::uint32_t robot, std::uint32_t moves);
   void note_stood(std::uint32_t robot, std::uint32_t moves);
 
@@ -146,6 +153,7 @@ class Planner {
   PlanOrder order_;
   std::optional<SafeStates> released_;             ///< where robots are when they have driven what they were released
   std::vector<std::uint32_t> methods_;             ///< of each robot of the plan
+  std::vector<std::uint32_t> led_moves_;           ///< of each: how many of its moves lead it away
   std::vector<std::optional<RobotId>> makes_way_;  ///< of each: who it is, where it has no goal
   std::map<RobotId, std::vector<Berth>> stood_;    ///< where robots without a goal stood that did not get away yet
   std::uint32_t moving_ = 0;                       ///< robots that have a goal, or are to make way
@@ -158,6 +166,7 @@ class Planner {
   };
   std::map<RobotId, SentOn> sent_on_;
   std::map<RobotId, PlaceId> guides_;
+  LedRobots led_;
   std::uint64_t pushes_ = 0;
   std::uint64_t asked_several_ = 0;
   std::optional<Making> making_;

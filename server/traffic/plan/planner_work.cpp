@@ -104,6 +104,7 @@ void Planner::cut_off_next() {
     return;
   }
   send_on_as_before();
+  lead_on_as_before();
   making_->steps.emplace(berths_, pockets_, lanes_, making_->robots, rules_);
   making_->part = Making::Part::move;
 }
@@ -169,12 +170,69 @@ bool Planner::plans_anew(const MovePlan& plan) {
       return true;
     }
   }
-  if (round == Making::Round::gridlocked) return false;
-  making_->round = Making::Round::gridlocked;
+  if (round == Making::Round::led_away) return false;
+  const bool is_last = round == Making::Round::giving_way;
   const std::vector<bool> locked = gridlocked(plan, robots);
   if (std::ranges::find(locked, true) == locked.end()) return false;
-  for (std::size_t robot = 0; robot < robots.size(); ++robot) robots[robot].is_gridlocked = locked[robot];
+  if (round == Making::Round::gridlocked) {
+    making_->round = Making::Round::led_away;
+    return leads_away_one(plan, locked);
+  }
+  making_->round = is_last ? Making::Round::gridlocked : Making::Round::giving_way;
+  for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+    if (!locked[robot]) continue;
+    robots[robot].gives_way = true;
+    robots[robot].is_gridlocked = is_last;
+  }
   return true;
+}
+
+/// Returns where robots stand; who stays may be anywhere in what it holds.
+SafeStates Planner::standing(const std::vector<PlanRobot>& robots) {
+  SafeStates states(berths_, lanes_);
+  for (const PlanRobot& robot : robots) states.add({robot.at, robot.methods});
+  for (const PlanRobot& robot : robots) {
+    if (!robot.stays) continue;
+    for (const Berth berth : robot.behind) states.add({berth, robot.methods});
+  }
+  return states;
+}
+
+/// Leads one of the gridlocked robots away, as `led_away_of`. Returns whether there is one.
+bool Planner::leads_away_one(const MovePlan& plan, const std::vector<bool>& locked) {
+  SafeStates states = standing(making_->robots);
+  LedAway led = led_away_of(states, plan, making_->robots, locked,
+                            [this](std::uint32_t robot) { return led_.led_at(making_->requests[robot].robot); });
+  done_ += states.searches();
+  if (led.robot == kNobody) return false;
+  std::vector<PlaceId> over;
+  for (const Berth berth : led.over) over.push_back(berths_.place(berth));
+  led_.lead(making_->requests[led.robot].robot, std::move(over));
+  making_->robots[led.robot].led_over = std::move(led.over);
+  return true;
+}
+
+/// Leads robots on that a plan before led away, where nobody has come into their way.
+void Planner::lead_on_as_before() {
+  SafeStates states = standing(making_->robots);
+  const auto is_berth = [this](const PlaceId& place) { return berths_.has(place) && berths_.is_cut(place); };
+  for (std::uint32_t robot = 0; robot < making_->robots.size(); ++robot) {
+    PlanRobot& known = making_->robots[robot];
+    const PlanRequest& request = making_->requests[robot];
+    if (known.at == kNoBerth) continue;
+    const std::vector<PlaceId> over = led_.led_on(request.robot, request.held.back(), !known.behind.empty());
+    if (over.empty()) continue;
+    std::vector<Berth> berths;
+    if (!known.stays && std::ranges::all_of(over, is_berth)) {
+      for (const PlaceId& place : over) berths.push_back(berths_.at(place));
+    }
+    if (!berths.empty() && states.is_way_out(robot, berths)) {
+      known.led_over = std::move(berths);
+    } else {
+      led_.end(request.robot);
+    }
+  }
+  done_ += states.searches();
 }
 
 void Planner::end_with(MovePlan plan) {
@@ -186,6 +244,9 @@ void Planner::end_with(MovePlan plan) {
   released_.emplace(berths_, lanes_);
   for (const PlanRobot& robot : making_->robots) released_->add({robot.at, robot.methods}, robot.is_gridlocked);
   makes_way_.clear();
+  led_moves_.clear();
+  for (const PlanRobot& robot : making_->robots)
+    led_moves_.push_back(static_cast<std::uint32_t>(robot.led_over.size()));
   std::map<RobotId, std::vector<Berth>> stood;
   for (const PlanRequest& request : making_->requests) {
     makes_way_.push_back(request.goal ? std::nullopt : std::optional(request.robot));
@@ -193,6 +254,9 @@ void Planner::end_with(MovePlan plan) {
     if (!request.goal && known != stood_.end()) stood.insert(std::move(*known));
   }
   stood_ = std::move(stood);
+  led_.forget_unless([this](const RobotId& robot) {
+    return std::ranges::find(making_->requests, robot, &PlanRequest::robot) != making_->requests.end();
+  });
   forget_unused();
   making_.reset();
 }

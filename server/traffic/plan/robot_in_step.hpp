@@ -19,11 +19,13 @@ struct RobotInStep {
   bool is_asking = false;              ///< it, or whom it asked, is being decided
   std::uint32_t in = Pockets::kNone;   ///< the pocket where it stands
   bool leaves = false;                 ///< that pocket
+  std::size_t led = 0;                 ///< how many of the berths it has driven over which it is led away
   std::vector<MovesFirst> first;       ///< robots that have to leave a lane before it makes its move
   std::vector<std::uint32_t> kept_by;  ///< see MovePlan
   bool is_kept_known = false;          ///< `kept_by` is complete
   std::vector<std::uint32_t> met;      ///< robots in the lane where it wants to go, or that cannot make way
-  std::optional<Meeting> sent_on;      ///< it has nothing to do, and keeps one out of a lane that would go there
+  std::optional<Meeting> sent_on;      ///< it keeps that one from going there, and may be sent on
+  std::uint32_t sent_in = 0;           ///< the step in which that was found
   bool has_way_out = false;  ///< it can drive out of that one's way, be that free or not, when the plan begins
 };
 

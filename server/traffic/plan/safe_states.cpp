@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 namespace weft::server {
@@ -71,12 +72,35 @@ bool SafeStates::gets_away(std::uint32_t robot, std::vector<bool>* touched, std:
         continue;
       }
       seen_.at(arc.to) = searches_;
+      from_.at(arc.to) = reached[i];
       reached.push_back(arc.to);
       if (touched == nullptr) continue;
       for (const Berth berth : arc.touches) add_to(*touched, berth);
     }
   }
   return reached.size() >= ahead.enough;
+}
+
+std::vector<Berth> SafeStates::way_out(std::uint32_t robot, std::size_t most) {
+  const Berth from = robots_[robot].berth;
+  if (from == kNoBerth || !gets_away(robot, nullptr) || lanes_.ahead(robots_[robot]).is_small) return {};
+  std::vector<Berth> way;
+  for (Berth berth = reached_.back(); berth != from; berth = from_.at(berth)) way.push_back(berth);
+  std::reverse(way.begin(), way.end());
+  way.resize(std::min(way.size(), most));
+  while (!way.empty() && !stuck_by(robot, way.back(), {}).empty()) way.pop_back();
+  return way;
+}
+
+bool SafeStates::is_way_out(std::uint32_t robot, const std::vector<Berth>& over) {
+  const Lanes::Stand stand = robots_[robot];
+  Berth here = stand.berth;
+  const bool is_free = std::ranges::all_of(over, [&](Berth to) {
+    const std::span<const OccupiedArcs::Arc> next = arcs_.next(std::exchange(here, to), stand.methods);
+    const auto arc = std::ranges::find(next, to, &OccupiedArcs::Arc::to);
+    return arc != next.end() && arcs_.occupied_on(*arc, stand.berth) == kNoBerth;
+  });
+  return is_free && stuck_by(robot, here, {}).empty();
 }
 
 /// Returns whom it concerns that the robot stands there: itself, and whose ways out lead by.
@@ -159,27 +183,32 @@ std::vector<std::uint32_t> SafeStates::stuck_by(std::uint32_t robot, Berth to,
                                                 const std::vector<std::uint32_t>& leaving) {
   for (const std::uint32_t other : leaving) set_away(other, true);
   std::vector<std::uint32_t> newly;
-  if (!would_get_away(robot, to)) newly = newly_stuck(robot, to);
+  const Gets gets = gets_from(robot, to);
+  if (gets != Gets::away) newly = newly_stuck(robot, to);
   for (const std::uint32_t other : leaving) {
     set_away(other, false);
     forget_ways_over(robots_[other].berth);
   }
   if (newly.size() == 1 && newly.front() == robot) newly = with_blockers(robot, to);
-  if (is_gridlocked_[robot]) std::erase_if(newly, [&](std::uint32_t other) { return is_gridlocked_[other]; });
+  if (gets == Gets::on) std::erase_if(newly, [&](std::uint32_t other) { return is_gridlocked_[other]; });
   return newly;
 }
 
-/// Returns whether the robot would get away from there, others first. Then nobody else is stuck by that: once it is
-/// away there are only the others, as if it had not come.
-bool SafeStates::would_get_away(std::uint32_t robot, Berth to) {
+/// Tells how far the robot would get from there, others first. When it gets away nobody else is stuck by that: once
+/// it is away there are only the others, as if it had not come.
+SafeStates::Gets SafeStates::gets_from(std::uint32_t robot, Berth to) {
   const Berth from = robots_[robot].berth;
   std::vector<std::uint32_t> away;
   std::vector<bool> is_tried(robots_.size(), false);
   place(robot, to);
-  const bool leaves = leaves_after_others(robot, away, is_tried);
+  Gets gets = leaves_after_others(robot, away, is_tried) ? Gets::away : Gets::nowhere;
+  if (gets == Gets::nowhere && is_gridlocked_[robot]) {
+    gets_away(robot, nullptr);
+    if (2 * reached_.size() >= lanes_.ahead(robots_[robot]).enough) gets = Gets::on;
+  }
   for (const std::uint32_t other : away) set_away(other, false);
   place(robot, from);
-  return leaves;
+  return gets;
 }
 
 /// Returns the robot and those that block its ways from there, sorted.

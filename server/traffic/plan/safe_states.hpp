@@ -18,7 +18,7 @@ class SafeStates {
   SafeStates(BerthGraph& graph, Lanes& lanes) : graph_(graph), arcs_(graph), lanes_(lanes) {}
 
   /// Adds a robot, with the next number; one without a berth is nowhere. Those that are gridlocked are not asked
-  /// whether they get away when one of them moves: nobody would, ever.
+  /// whether they get away when one of them moves that gets half as far itself: nobody would, ever.
   void add(const Lanes::Stand& at, bool is_gridlocked = false);
   /// Notes that the robot is there now.
   void put(std::uint32_t robot, Berth at);
@@ -32,11 +32,19 @@ class SafeStates {
   std::vector<std::uint32_t> kept_by(std::uint32_t robot, Berth to);
   /// Returns whether it can matter to one of them where the other stands: a way out of the one leads by there.
   bool concern(std::uint32_t robot, Berth to, const Lanes::Stand& other);
+  /// Returns the berths over which the robot drives away past all others where they stand, in order: so many at most,
+  /// to where nobody is stuck by it. Empty: it does not get away.
+  std::vector<Berth> way_out(std::uint32_t robot, std::size_t most);
+  /// Returns whether the robot can drive over these berths past all others where they stand, and nobody is stuck when
+  /// it stands at the last.
+  bool is_way_out(std::uint32_t robot, const std::vector<Berth>& over);
   Berth at(std::uint32_t robot) const { return robots_[robot].berth; }
   /// Counts searches for ways out, which bound the work of a piece.
   std::uint64_t searches() const { return searches_; }
 
  private:
+  /// Tells how far a robot gets: away; of one that is gridlocked, half as far; or it is shut in.
+  enum class Gets : std::uint8_t { nowhere, on, away };
   /// Remembers ways on which a robot gets away: what may not be taken for that.
   struct WaysOut {
     bool is_known = false;
@@ -55,7 +63,7 @@ class SafeStates {
   bool gets_away(std::uint32_t robot, std::vector<bool>* touched, std::vector<Berth>* blocked_at = nullptr);
   bool leaves_after_others(std::uint32_t robot, std::vector<std::uint32_t>& away, std::vector<bool>& is_tried);
   bool is_at_any(const std::vector<Berth>& berths, Berth at);
-  bool would_get_away(std::uint32_t robot, Berth to);
+  Gets gets_from(std::uint32_t robot, Berth to);
 
   BerthGraph& graph_;
   OccupiedArcs arcs_;  ///< by those that are not away
@@ -66,6 +74,7 @@ class SafeStates {
   std::vector<bool> is_away_;    ///< of each robot, while stuck ones are looked for
   Berth taken_ = kNoBerth;       ///< where one is thought to go meanwhile
   ByBerth<std::uint32_t> seen_;  ///< in which search
+  ByBerth<Berth> from_;          ///< the berth before it in the latest search
   std::vector<Berth> reached_;   ///< by the latest search
   std::uint32_t searches_ = 0;
 };
