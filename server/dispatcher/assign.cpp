@@ -59,19 +59,36 @@ Candidate Dispatcher::candidate_of(const Robot& robot) const {
           .percent = charge_that_counts(robot.id)};
 }
 
-/// Searches ways from a robot's place and, where there is none, from places beside it: from the last place of a run
+/// Searches a way from a robot's place and, where there is none, from places beside it: from the last place of a run
 /// nothing may lead on although its end lies on another run's way.
+Result<Path> Dispatcher::way_of(const Candidate& from, const PlaceId& to, const ClosedHops* closed, SteadyTime now) {
+  Result<Path> way = routes_.find_allowed(from.at, to, from.methods, from.keeps_limits, now, closed);
+  if (way) return way;
+  std::vector<PlaceId> beside = places_beside(context_.snapshots.current(), from.at);
+  beside.resize(std::min(beside.size(), kStartsTried));
+  for (const PlaceId& start : beside) {
+    Result<Path> other = routes_.find_allowed(start, to, from.methods, from.keeps_limits, now, closed);
+    if (other) return other;
+  }
+  return way;
+}
+
+/// Finds ways for goals of the server's own: over nothing that the robot has found blocked.
 FindWay Dispatcher::ways_to(const PlaceId& to, Now now) {
-  return [this, to, now](const Candidate& from) {
-    Result<Path> way = routes_.find_allowed(from.at, to, from.methods, from.keeps_limits, now.steady);
-    if (way) return way;
-    std::vector<PlaceId> beside = places_beside(context_.snapshots.current(), from.at);
-    beside.resize(std::min(beside.size(), kStartsTried));
-    for (const PlaceId& start : beside) {
-      Result<Path> other = routes_.find_allowed(start, to, from.methods, from.keeps_limits, now.steady);
-      if (other) return other;
-    }
-    return way;
+  return [this, to, now](const Candidate& from) { return way_of(from, to, overlay_.closed(from.robot), now.steady); };
+}
+
+/// Finds ways over nothing that is closed for the goal. Where there is none but for that, says what is closed.
+FindWay Dispatcher::ways_for(const Goal& goal, Now now) {
+  if (goal.kind != GoalKind::operator_asked) return ways_to(goal.to, now);
+  return [this, id = goal.id, to = goal.to, now](const Candidate& from) {
+    const ClosedHops* const closed = overlay_.closed(id);
+    Result<Path> way = way_of(from, to, closed, now.steady);
+    if (way || closed == nullptr) return way;
+    const Result<Path> if_open = way_of(from, to, nullptr, now.steady);
+    if (!if_open) return Result<Path>(fail(if_open.error()));
+    return Result<Path>(fail(ErrorCode::not_found, closed_text(id) + ", or a robot has driven it, and no other way "
+                                                                     "leads there: it waits for that"));
   };
 }
 
@@ -117,7 +134,7 @@ bool Dispatcher::assign_waiting(Now now) {
       continue;
     }
     Choosing& choosing = choosing_[id];
-    const std::optional<Result<Choice>> choice = choosing.go_on(ready, ways_that_charge_covers(goal.to, now), left);
+    const std::optional<Result<Choice>> choice = choosing.go_on(ready, ways_that_charge_covers(goal, now), left);
     if (!choice) {
       is_done = false;
       break;
@@ -241,14 +258,15 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
                                          .at = state.place,
                                          .methods = methods_of(*known),
                                          .keeps_limits = known->description->knows_limits}},
-                                       ways_to(goal.to, now));
+                                       ways_for(goal, now));
   if (!choice) {
     if (!assignment.waits_since) assignment.waits_since = now;
     return wait_for(goal, choice.error().message, now);
   }
+  const std::string round = closed_text(goal.id);
   const GoalBook::Step step = {.state = goal.state,
                                .cause = "planned anew for " + known->name + " from " + to_string(state.place) + ", " +
-                                        metres(choice->path.length_m),
+                                        metres(choice->path.length_m) + (round.empty() ? "" : "; " + round),
                                .who = "dispatcher",
                                .kind = "goal.planned_anew"};
   Route route = route_of(goal, *choice);
@@ -261,6 +279,7 @@ void Dispatcher::replan(const RobotId& robot, RouteAssignment& assignment, Now n
   assignment.noted_rule.clear();
   assignment.has_latest_order = false;
   assignment.latest_report.reset();
+  assignment.at = 0;
   assignment.missing_since.reset();
   assignment.look_at_release = true;
   assignment.stands_at_end = false;

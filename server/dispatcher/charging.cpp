@@ -74,13 +74,14 @@ std::optional<int> Dispatcher::charge_that_counts(const RobotId& robot) const {
 
 /// Finds ways that a robot's charge covers, with the way on to the nearest charger. A place from which none leads to
 /// a charger needs none.
-FindWay Dispatcher::ways_that_charge_covers(const PlaceId& to, Now now) {
-  if (!decides_by_charge_) return ways_to(to, now);
+FindWay Dispatcher::ways_that_charge_covers(const Goal& goal, Now now) {
+  if (!decides_by_charge_) return ways_for(goal, now);
   const std::vector<PlaceId> chargers = spots_of(context_.snapshots.current(), RuleKind::charging);
   using Drivers = std::pair<std::set<std::string>, bool>;
   const auto known = std::make_shared<std::map<Drivers, double>>();
   own_goals_.fell_short.clear();
-  return [this, to, now, chargers, known, ways = ways_to(to, now)](const Candidate& from) -> Result<Path> {
+  return [this, to = goal.to, now, chargers, known,
+          ways = ways_for(goal, now)](const Candidate& from) -> Result<Path> {
     Result<Path> way = ways(from);
     if (!way || !from.percent) return way;
     const auto [on, is_new] = known->try_emplace(Drivers{from.methods, from.keeps_limits}, 0.0);

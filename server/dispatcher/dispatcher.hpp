@@ -19,6 +19,7 @@
 #include "server/eta/arrivals.hpp"
 #include "server/fleet/fleet.hpp"
 #include "server/routes/routes.hpp"
+#include "server/traffic/overlay.hpp"
 #include "server/traffic/traffic.hpp"
 #include "server/traffic/waits.hpp"
 
@@ -104,6 +105,7 @@ class Dispatcher {
     Standing standing = Standing::followed;
     bool has_latest_order = false;               ///< it answered to this version and release
     std::optional<std::uint64_t> latest_report;  ///< sequence of its latest report on this version
+    std::uint32_t at = 0;                        ///< index of the last place passed, by that report
     std::optional<SteadyTime> ordered_at;        ///< last order to follow it
     SteadyTime send_at;
     Duration wait{};
@@ -162,6 +164,8 @@ class Dispatcher {
   void replan(const RobotId& robot, RouteAssignment& assignment, Now now);
   Route route_of(const Goal& goal, const Choice& choice);
   FindWay ways_to(const PlaceId& to, Now now);
+  FindWay ways_for(const Goal& goal, Now now);
+  Result<Path> way_of(const Candidate& candidate, const PlaceId& to, const ClosedHops* closed, SteadyTime now);
   RouteId new_route_id();
   std::string no_return(const Goal& goal) const;
 
@@ -181,7 +185,7 @@ class Dispatcher {
   void send_to_charger(const RobotId& id, const std::vector<PlaceId>& chargers, Now now);
   std::string why_recharging(const Robot& robot) const;
   std::optional<int> charge_that_counts(const RobotId& robot) const;
-  FindWay ways_that_charge_covers(const PlaceId& to, Now now);
+  FindWay ways_that_charge_covers(const Goal& goal, Now now);
   double way_on_m(const PlaceId& from, const std::vector<PlaceId>& chargers, const Candidate& drives, Now now);
   void note_fell_short(Now now);
   void say_unknown_charge(const Robot& robot, Now now);
@@ -211,7 +215,8 @@ class Dispatcher {
   void put_version(const RobotId& robot, RouteAssignment& assignment, const Route& next, const GoalBook::Step& step,
                    Now now);
   void cut_off(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now);
-  void recall(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now);
+  void recall(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now,
+              const char* kind = "goal.waits");
 
   // moves.cpp
   bool needs_plan() const;
@@ -257,9 +262,17 @@ class Dispatcher {
   std::string why_it_waits(const Traffic::Way& way) const;
   std::string why_it_goes_on(const Traffic::Way& way) const;
 
+  // blocked.cpp
+  void note_blocked(const Robot& robot, Now now);
+  void close_ahead(const RobotId& robot, RouteAssignment& assignment, Now now);
+  void note_driven(const Route& route, RouteAssignment& assignment, std::uint32_t at, Now now);
+  void look_at_closures(Now now);
+  void opened(const std::vector<Overlay::Opened>& all, const std::string& why, Now now);
+  const ClosedHops* closed_for(const Goal& goal, const RobotId& robot) const;
+  std::string closed_text(const GoalId& goal) const;
+
   // follow.cpp
   bool is_told(const RobotId& robot, const Route& route) const;
-  void note_blocked(const Robot& robot, Now now);
   void send_order(const RobotId& robot, RouteAssignment& assignment, SteadyTime now);
   void end_unknown(const RobotId& robot, const GoalId& goal, const RouteId& route);
   void avoid(const RobotId& robot, const Route& route, SteadyTime now);
@@ -278,6 +291,7 @@ class Dispatcher {
   Random random_;
   GoalBook book_;
   Planning planning_;
+  Overlay overlay_;
   std::deque<RobotId> to_make_way_;      ///< robots without a goal, to be asked if the plan has them move
   std::optional<RobotId> release_from_;  ///< from which robot on releases are still to be looked at
   std::map<RobotId, SteadyTime> blocked_since_;

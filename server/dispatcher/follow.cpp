@@ -19,8 +19,8 @@ constexpr Duration kLostAfter = 2s;
 constexpr Duration kIgnoredAfter = 10s;
 /// Is what a robot says that cannot bend into what lies ahead of it on its route.
 constexpr const char* kNoPath = "route_makes_no_path";
-/// Bounds how long a robot may be blocked before others are led round it.
-constexpr Duration kBlockedForLong = 30s;
+/// Is what a robot says that has something in its way and has waited for long.
+constexpr const char* kGaveUpBlocked = "blocked";
 /// Bounds how long a robot is not asked to make way to where it could not drive.
 constexpr Duration kAvoidsFor = 1min;
 
@@ -102,6 +102,7 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
   assignment.find_again();
   assignment.missing_since.reset();
   assignment.latest_report = std::max(assignment.latest_report.value_or(0), progress.header.sequence);
+  if (assignment.latest_report == progress.header.sequence) note_driven(*route, assignment, progress.at, now);
   assignment.has_latest_order = progress.released >= route->released;
   assignment.stands_at_end = assignment.has_latest_order && progress.phase == msg::RoutePhase::waiting;
   // Frees all but the end for a robot that stands there: standing touches nothing beyond.
@@ -123,6 +124,8 @@ void Dispatcher::on_progress(const msg::RouteProgress& progress, Now now) {
   if (progress.phase == msg::RoutePhase::failed && can_be_bent && !std::exchange(assignment.was_bent, true)) {
     return recall(robot, assignment, who + " cannot drive as it was led", now);
   }
+  if (progress.phase == msg::RoutePhase::failed && progress.reason == kGaveUpBlocked)
+    return close_ahead(robot, assignment, now);
   if (progress.phase == msg::RoutePhase::failed) {
     finish(robot, assignment, GoalState::failed, progress.reason.empty() ? "the robot gave up" : progress.reason, who,
            now);
@@ -158,6 +161,7 @@ void Dispatcher::finish(const RobotId& robot, RouteAssignment& assignment, GoalS
     return arrivals_.put_back(passes);
   }
   arrivals_.ended(robot);
+  overlay_.forget(goal.id);
   look_again_ = true;
   if (state == GoalState::succeeded && goal.kind == GoalKind::operator_asked) arrived_at_[robot] = now.steady;
   if (state == GoalState::failed && goal.kind == GoalKind::yield) avoid(robot, route, now.steady);
@@ -195,26 +199,6 @@ void Dispatcher::watch_for_loss(RouteAssignment& assignment, const Route& route,
   if (now - *assignment.missing_since < (had_it ? kLostAfter : kIgnoredAfter)) return;
   assignment.lose();
   if (!had_it) assignment.is_closed = true;
-}
-
-/// Notes since when the robot is blocked, and says so once it is for long.
-void Dispatcher::note_blocked(const Robot& robot, Now now) {
-  if (robot.state->safety != Safety::blocked) {
-    blocked_since_.erase(robot.id);
-    if (blocked_for_long_.erase(robot.id) > 0) planning_.want();
-    return;
-  }
-  const SteadyTime since = blocked_since_.try_emplace(robot.id, now.steady).first->second;
-  if (now.steady - since < kBlockedForLong || !blocked_for_long_.insert(robot.id).second) return;
-  planning_.want();
-  const Goal* const goal = goal_of(robot.id);
-  context_.writer.note({.at = {},
-                        .kind = "robot.blocked",
-                        .robot = robot.id,
-                        .goal = goal != nullptr ? goal->id : GoalId{},
-                        .cause = "it is asked to drive and does not move: see what holds it",
-                        .who = robot.name},
-                       now);
 }
 
 void Dispatcher::on_state(const Robot& robot, Now now) {
@@ -281,6 +265,7 @@ void Dispatcher::tick(Now now) {
     for (auto& [robot, assignment] : assignments_) reroute(robot, assignment, now);
   }
   look_at_silent(now);
+  look_at_closures(now);
   for (const RobotId& robot : traffic_.take_woken()) {
     const auto woken = assignments_.find(robot);
     if (woken == assignments_.end()) continue;
@@ -329,7 +314,9 @@ std::optional<SteadyTime> Dispatcher::next() const {
   if (traffic_.has_woken()) sooner(SteadyTime{});
   if (planning_.is_under_way() || needs_plan()) sooner(planning_.next());
   if (!planning_.is_under_way() && has_to_release()) sooner(SteadyTime{});
-  if (const std::optional<SteadyTime> at = next_look_at_silent()) sooner(*at);
+  for (const std::optional<SteadyTime>& at : {next_look_at_silent(), overlay_.next()}) {
+    if (at) sooner(*at);
+  }
   return next;
 }
 

@@ -80,6 +80,9 @@ PlanRequest Dispatcher::plan_request(const RobotId& robot, Now now) const {
   const Robot* const known = fleet_.find(robot);
   const bool is_described = known != nullptr && known->description;
   if (is_described) request.drives = {methods_of(*known), known->description->knows_limits};
+  const ClosedHops* const closed =
+      is_led ? closed_for(*book_.find(found->second.goal), robot) : overlay_.closed(robot);
+  if (closed != nullptr) request.drives.closed = *closed;
   request.avoids = avoided_by(robot, now.steady);
   std::optional<Stays> stays = this->stays(robot);
   // Whom a rule keeps from going on is led up to where it does.

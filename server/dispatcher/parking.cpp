@@ -167,7 +167,7 @@ bool Dispatcher::recall_from_parking(const Goal& goal, Now now) {
     if (may_go && why_recharging(*robot).empty()) parking.push_back(candidate_of(*robot));
   }
   if (parking.empty()) return false;
-  const Result<Choice> choice = choose(parking, ways_that_charge_covers(goal.to, now));
+  const Result<Choice> choice = choose(parking, ways_that_charge_covers(goal, now));
   if (!choice) return false;
   finish(choice->robot, assignments_.at(choice->robot), GoalState::cancelled, "a goal of an operator comes first",
          "traffic", now);

@@ -159,8 +159,9 @@ std::optional<Route> Dispatcher::led_along(const Goal& goal, const Route& route,
     } else {
       const Robot* const known = fleet_.find(route.robot);
       if (known == nullptr || !known->description) return std::nullopt;
-      const Result<Path> way = routes_.find_allowed(places.back(), route.places.back(), methods_of(*known),
-                                                    known->description->knows_limits, now.steady);
+      const Result<Path> way =
+          routes_.find_allowed(places.back(), route.places.back(), methods_of(*known),
+                               known->description->knows_limits, now.steady, closed_for(goal, route.robot));
       if (!way) return std::nullopt;
       tail.assign(way->places.begin() + 1, way->places.end());
     }

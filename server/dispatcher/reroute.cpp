@@ -82,7 +82,7 @@ void Dispatcher::replan_ahead(const RobotId& robot, RouteAssignment& assignment,
                                          .at = route.places[route.released],
                                          .methods = methods_of(*known),
                                          .keeps_limits = known->description->knows_limits}},
-                                       ways_to(goal.to, now));
+                                       ways_for(goal, now));
   if (!choice) return cut_off(robot, assignment, choice.error().message, now);
   Route next = route;
   const auto kept = static_cast<std::ptrdiff_t>(route.released);
@@ -158,7 +158,8 @@ void Dispatcher::cut_off(const RobotId& robot, RouteAssignment& assignment, cons
 }
 
 /// Has the robot stop, and plans from where it stands.
-void Dispatcher::recall(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now) {
+void Dispatcher::recall(const RobotId& robot, RouteAssignment& assignment, const std::string& why, Now now,
+                        const char* kind) {
   const Goal& goal = *book_.find(assignment.goal);
   assignment.standing = RouteAssignment::Standing::recalled;
   assignment.wait = Duration{};
@@ -167,7 +168,7 @@ void Dispatcher::recall(const RobotId& robot, RouteAssignment& assignment, const
                             {.state = goal.state,
                              .cause = why + ": it stops, and is given another route from where it stands",
                              .who = "dispatcher",
-                             .kind = "goal.waits"},
+                             .kind = kind},
                             std::nullopt, {}, now);
   send_order(robot, assignment, now.steady);
 }

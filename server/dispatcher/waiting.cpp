@@ -16,13 +16,18 @@ std::optional<Wait> Dispatcher::wait_at_barrier(const RobotId& robot, const Rout
   return wait;
 }
 
-/// Returns the wait of a robot that has no route, as a rule bars what it was to drive; none: no rule does.
+/// Returns the wait of a robot that has no route, as a rule bars what it was to drive, or some of that is closed for
+/// its goal; none: neither.
 std::optional<Wait> Dispatcher::wait_without_route(const RobotId& robot, const RouteAssignment& assignment) const {
   const Robot* const known = fleet_.find(robot);
   if (!assignment.waits_since || known == nullptr || !known->state || !known->state->place) return std::nullopt;
   const Passage passage{.begins = known->state->place, .keeps_limits = keeps_limits(robot)};
   Wait wait = barred_wait(robot, assignment, 0, passage);
-  return wait.rule.empty() ? std::nullopt : std::optional(wait);
+  if (!wait.rule.empty()) return wait;
+  const std::vector<Closure>& closed = overlay_.of(assignment.goal);
+  if (closed.empty()) return std::nullopt;
+  wait.needs = closed.back().to;
+  return wait;
 }
 
 /// Returns the wait of a robot where the passage begins, for the first rule on its route from `from` on.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/server/arranged_site.hpp"
+#include "tests/server/given_up.hpp"
 
 namespace weft::server::test {
 namespace {
@@ -49,16 +50,7 @@ struct GoalLife : testing::Test {
   /// Says as r1 that it follows nothing, and stands there.
   void stand(const PlaceId& place) { site.say(site.state(r1, place)); }
   /// Has r1 give its route up, and say why.
-  void give_up(const Route& route, const std::string& reason) {
-    msg::RouteProgress progress;
-    progress.header = r1.header();
-    progress.goal = route.goal;
-    progress.route = route.id;
-    progress.version = route.version;
-    progress.phase = msg::RoutePhase::failed;
-    progress.reason = reason;
-    site.say(progress);
-  }
+  void give_up(const Route& route, const std::string& reason) { site.say(given_up(r1, route, reason)); }
 
   Site site;
   Peer r1{.id = robot_id(1), .name = "r1"};
