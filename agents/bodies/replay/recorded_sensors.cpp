@@ -1,7 +1,9 @@
 #include "agents/bodies/replay/recorded_sensors.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "agents/bodies/replay/kitti.hpp"
@@ -37,13 +39,47 @@ fs::path file_of(const fs::path& folder, const std::string& name, const std::str
   return !fs::exists(within) && fs::exists(beside) ? beside : within;
 }
 
-Result<RecordedCamera> read_euroc(const WantedSensors& wanted, const std::string& name) {
-  const fs::path folder(wanted.folder);
-  const fs::path list = file_of(folder, name, "data.csv");
+/// Returns the images of a folder that has no list, in the order of time: their names are their times.
+Result<std::vector<RecordedImage>> images_by_name(const fs::path& folder) {
+  std::vector<RecordedImage> images;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem)) {
+    const std::string name = entry.path().stem().string();
+    std::int64_t nanoseconds = 0;
+    const auto read = std::from_chars(name.data(), name.data() + name.size(), nanoseconds);
+    if (read.ec != std::errc{} || read.ptr != name.data() + name.size() || nanoseconds < 0)
+      return fail(ErrorCode::invalid, entry.path().string() +
+                                          ": without a data.csv its name must be its time in nanoseconds, as in "
+                                          "1403636579763555584.png");
+    images.push_back({SensorTime{Duration(nanoseconds)}, entry.path().filename().string()});
+  }
+  if (problem) return fail(ErrorCode::unavailable, folder.string() + ": " + problem.message());
+  if (images.empty()) return fail(ErrorCode::invalid, folder.string() + ": holds no image");
+  std::ranges::sort(images, {}, &RecordedImage::time);
+  const auto twice = std::ranges::adjacent_find(images, {}, &RecordedImage::time);
+  if (twice != images.end())
+    return fail(ErrorCode::invalid, (folder / twice->file).string() + ": another image has the same time");
+  return images;
+}
+
+/// Returns what data.csv lists; where there is none, what data/ holds.
+Result<std::vector<RecordedImage>> images_of(const WantedSensors& wanted, const std::string& name) {
+  const fs::path data = fs::path(wanted.folder) / "mav0" / name / "data";
+  const fs::path list = file_of(wanted.folder, name, "data.csv");
+  if (!fs::exists(list) && fs::is_directory(data)) {
+    if (wanted.warn)
+      wanted.warn(list.string() + ": missing; the names of the images in data/ are taken as their times");
+    return images_by_name(data);
+  }
   const auto text = read_text(list);
   if (!text) return fail(text.error());
+  return parse_image_list(*text, list.string());
+}
+
+Result<RecordedCamera> read_euroc(const WantedSensors& wanted, const std::string& name) {
+  const fs::path folder(wanted.folder);
   RecordedCamera camera;
-  auto images = parse_image_list(*text, list.string());
+  auto images = images_of(wanted, name);
   if (!images) return fail(images.error());
   camera.images = std::move(*images);
   for (RecordedImage& image : camera.images) image.file = (folder / "mav0" / name / "data" / image.file).string();

@@ -33,10 +33,11 @@ struct WantedSensors {
 
 /// Reads what the sensors of a recording have seen, and their calibration. Two layouts are known: EuRoC's
 /// (mav0/NAME/data.csv, sensor.yaml and data/; the first two may lie beside mav0 as NAME_data.csv and
-/// NAME_sensor.yaml), and KITTI's odometry (calib.txt, image_l/ and image_r/, times.txt), which has one sensor, the
-/// pair image_l+image_r or one half of it, and whose images are ten a second where there is no times.txt, which is
-/// warned of. Rows of a pair belong together whose times agree within a millisecond. not_found, invalid: names the
-/// file, and the line.
+/// NAME_sensor.yaml; where there is no data.csv, the images' names are their times in nanoseconds, which is warned
+/// of), and KITTI's odometry (calib.txt, image_l/ and image_r/, times.txt), which has one sensor, the pair
+/// image_l+image_r or one half of it, and whose images are ten a second where there is no times.txt, which is warned
+/// of. Rows of a pair belong together whose times agree within a millisecond. not_found, invalid: names the file, and
+/// the line.
 Result<std::vector<RecordedSensor>> read_sensors(const WantedSensors& wanted);
 
 }  // namespace weft::agents::replay

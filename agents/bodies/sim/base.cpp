@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace weft::agents::sim {
 namespace {
@@ -25,10 +26,16 @@ double towards(double now, double target, const BaseSetup& setup, double dt_s) {
 
 }  // namespace
 
+double distance_to_rim(const Pose2& site_from_middle, double length_m, double width_m, double x, double y) {
+  const Eigen::Vector2d p = site_from_middle.inverse() * Eigen::Vector2d(x, y);
+  const double beyond_x = std::abs(p.x()) - length_m / 2;
+  const double beyond_y = std::abs(p.y()) - width_m / 2;
+  if (beyond_x < 0.0 && beyond_y < 0.0) return std::max(beyond_x, beyond_y);
+  return std::hypot(std::max(0.0, beyond_x), std::max(0.0, beyond_y));
+}
+
 double distance_to(const Box& box, double x, double y) {
-  const Eigen::Vector2d p = box.site_from_box.inverse() * Eigen::Vector2d(x, y);
-  return std::hypot(std::max(0.0, std::abs(p.x()) - box.length_m / 2),
-                    std::max(0.0, std::abs(p.y()) - box.width_m / 2));
+  return std::max(0.0, distance_to_rim(box.site_from_box, box.length_m, box.width_m, x, y));
 }
 
 WheelErrors wheel_errors_from(const Disturbances& disturbances, Random random) {
@@ -37,11 +44,11 @@ WheelErrors wheel_errors_from(const Disturbances& disturbances, Random random) {
   return {scale * (1.0 - asymmetry / 2), scale * (1.0 + asymmetry / 2)};
 }
 
-Base::Base(const BaseSetup& setup, const Disturbances& disturbances, const std::vector<Box>& boxes,
-           const WheelErrors& wheels, const Pose2& site_from_robot, Random random)
+Base::Base(const BaseSetup& setup, const Disturbances& disturbances, const Solids& solids, const WheelErrors& wheels,
+           const Pose2& site_from_robot, Random random)
     : setup_(setup),
       slip_sigma_(disturbances.slip),
-      boxes_(boxes),
+      solids_(solids),
       wheels_(wheels),
       site_from_robot_(site_from_robot),
       random_(random) {}
@@ -53,6 +60,7 @@ void Base::put(const Pose2& site_from_robot, const Twist& moving) {
   left_m_s_ = moving.linear_m_s - moving.angular_rad_s * setup_.track_m / 2;
   right_m_s_ = moving.linear_m_s + moving.angular_rad_s * setup_.track_m / 2;
   reported_ = {};
+  touch_.reset();
 }
 
 void Base::advance(const Twist& command, double duration_s) {
@@ -74,13 +82,27 @@ WheelStep Base::take_wheel_step() {
   return taken;
 }
 
-bool Base::touches_box(const Pose2& pose) const {
-  return std::any_of(boxes_.begin(), boxes_.end(),
-                     [&](const Box& box) { return distance_to(box, pose.x, pose.y) < setup_.radius_m; });
+std::optional<std::string> Base::take_touch() {
+  return std::exchange(touch_, std::nullopt);
+}
+
+/// Rolls to the next pose, if nothing is in the way: against something it may turn and back out; the wheels spin
+/// meanwhile, as they would.
+void Base::roll_to(const Pose2& next) {
+  const std::string* touched = solids_.in_the_way(site_from_robot_, next);
+  if (touched != nullptr) {
+    velocity_.linear_m_s = 0.0;
+    site_from_robot_.heading = next.heading;
+  } else {
+    site_from_robot_ = next;
+    touched = solids_.touching(site_from_robot_);
+  }
+  if (touched != nullptr && !touch_) touch_ = *touched;
 }
 
 void Base::substep(const Twist& command, double dt_s) {
   now_s_ += dt_s;
+  solids_.advance(site_from_robot_, dt_s);
   waiting_.push_back({now_s_ + setup_.command_delay_s, command});
   while (!waiting_.empty() && waiting_.front().due_s <= now_s_ + 1e-9) {
     in_force_ = waiting_.front().command;
@@ -100,15 +122,8 @@ void Base::substep(const Twist& command, double dt_s) {
   const double right = right_m_s_ * (1.0 - right_slip_);
   velocity_ = {(left + right) / 2, (right - left) / setup_.track_m};
 
-  const Pose2 next =
-      site_from_robot_ * se2_exp(Eigen::Vector3d(velocity_.linear_m_s * dt_s, 0.0, velocity_.angular_rad_s * dt_s));
-  // Against a box it may turn and back out; the wheels spin meanwhile, as they would.
-  if (touches_box(next) && !touches_box(site_from_robot_)) {
-    velocity_.linear_m_s = 0.0;
-    site_from_robot_.heading = next.heading;
-  } else {
-    site_from_robot_ = next;
-  }
+  roll_to(site_from_robot_ *
+          se2_exp(Eigen::Vector3d(velocity_.linear_m_s * dt_s, 0.0, velocity_.angular_rad_s * dt_s)));
   const double rolled_left = left_m_s_ * wheels_.left_scale * dt_s;
   const double rolled_right = right_m_s_ * wheels_.right_scale * dt_s;
   reported_.distance_m += (rolled_left + rolled_right) / 2;

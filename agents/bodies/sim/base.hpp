@@ -1,7 +1,10 @@
 #pragma once
 #include <deque>
+#include <optional>
+#include <string>
 
 #include "agents/bodies/sim/site.hpp"
+#include "agents/bodies/sim/solids.hpp"
 #include "agents/perception/motion.hpp"
 #include "core/geometry/pose2.hpp"
 #include "core/random.hpp"
@@ -20,8 +23,8 @@ WheelErrors wheel_errors_from(const Disturbances& disturbances, Random random);
 /// motion.
 class Base {
  public:
-  Base(const BaseSetup& setup, const Disturbances& disturbances, const std::vector<Box>& boxes,
-       const WheelErrors& wheels, const Pose2& site_from_robot, Random random);
+  Base(const BaseSetup& setup, const Disturbances& disturbances, const Solids& solids, const WheelErrors& wheels,
+       const Pose2& site_from_robot, Random random);
 
   /// Stands there from now on, or rolls there with `moving` already, which is in force.
   void put(const Pose2& site_from_robot, const Twist& moving);
@@ -29,7 +32,11 @@ class Base {
   void advance(const Twist& command, double duration_s);
 
   const Pose2& site_from_robot() const { return site_from_robot_; }
-  /// Returns the true motion now; zero against a box.
+  /// Returns what there is to run into, as it stands now.
+  const Solids& solids() const { return solids_; }
+  /// Returns the name of what it has touched since the last call, the first if there was more; none: nothing.
+  std::optional<std::string> take_touch();
+  /// Returns the true motion now; zero against what stands in its way.
   Twist velocity() const { return velocity_; }
   /// Returns whether nothing rolls and nothing that was commanded waits.
   bool at_rest() const;
@@ -38,7 +45,7 @@ class Base {
 
  private:
   void substep(const Twist& command, double dt_s);
-  bool touches_box(const Pose2& site_from_robot) const;
+  void roll_to(const Pose2& next);
 
   struct Delayed {
     double due_s = 0.0;
@@ -46,7 +53,7 @@ class Base {
   };
   BaseSetup setup_;
   double slip_sigma_ = 0.0;
-  std::vector<Box> boxes_;
+  Solids solids_;
   WheelErrors wheels_;
   Pose2 site_from_robot_;
   Random random_;
@@ -57,8 +64,11 @@ class Base {
   double left_slip_ = 0.0, right_slip_ = 0.0;  ///< share of the rim's way that is lost
   Twist velocity_;
   WheelStep reported_;
+  std::optional<std::string> touch_;
 };
 
+/// Returns the distance from a point (site frame) to the rim of a rectangle about a pose, metres; negative inside.
+double distance_to_rim(const Pose2& site_from_middle, double length_m, double width_m, double x, double y);
 /// Returns the distance from a point (site frame) to a box's footprint, metres; 0 inside.
 double distance_to(const Box& box, double x, double y);
 

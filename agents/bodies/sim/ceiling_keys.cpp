@@ -60,8 +60,7 @@ void add_lamp_grid(const Table& table, Site& site) {
   const double apart_y = table.number("apart_y_m", required, 0.3, 50.0);
   const auto columns = table.integer("columns", required, 1, 100);
   const auto rows = table.integer("rows", required, 1, 100);
-  lamp.height_m = table.number("height_m", lamp.height_m, 2.0, 30.0);
-  lamp.brightness = table.number("brightness", lamp.brightness, 0.0, 20.0);
+  read_shining(table, lamp);
   for (std::int64_t row = 0; row < rows; ++row) {
     for (std::int64_t column = 0; column < columns; ++column) {
       lamp.x = x + apart_x * static_cast<double>(column);
@@ -103,6 +102,15 @@ Duct duct_in(const Table& table, double ceiling_m) {
   d.grey = table.number("grey", d.grey, 5.0, 250.0);
   check_clear(table, d.below_m + d.height_m, ceiling_m);
   return d;
+}
+
+void read_shining(const Table& table, Lamp& lamp) {
+  constexpr double longest_s = 1e6;
+  lamp.height_m = table.number("height_m", lamp.height_m, 2.0, 30.0);
+  lamp.brightness = table.number("brightness", lamp.brightness, 0.0, 20.0);
+  lamp.flicker = 0.01 * table.number("flicker_percent", 100 * lamp.flicker, 0.0, 100.0);
+  lamp.flicker_hz = table.number("flicker_hz", lamp.flicker_hz, 0.1, 50.0);
+  if (table.has("ends_s")) lamp.ends_s = table.number("ends_s", required, 0.0, longest_s);
 }
 
 void add_overhead_in(const Table& root, Site& site) {

@@ -15,7 +15,9 @@ constexpr std::array<double, kHallSamples> kSampleTime = {-0.375, -0.125, 0.125,
 
 HallEye::HallEye(const Site& site, const CameraModel& actual, const HallCameraOptions& options,
                  std::shared_ptr<const Hall> hall, Random light)
-    : site_(site), true_(actual), camera_(true_, options, std::move(hall), site.movers, HallLight(site, light)) {}
+    : site_(site),
+      true_(actual),
+      camera_(true_, options, std::move(hall), {site.movers, site.obstacles}, HallLight(site, light)) {}
 
 /// Returns where the camera is for rows that are taken so much later than the image's middle.
 std::array<Pose3, kHallSamples> HallEye::poses_at(const Moment& moment, const ExposureControl& exposure,
@@ -36,6 +38,7 @@ HallImage HallEye::take(const Moment& moment, const ExposureControl& exposure, s
     }
   }
   shot.time_s = moment.time_s;
+  shot.waited_s = moment.waited_s;
   shot.gain = exposure.gain() * moment.brightness;
   shot.noise_grey = site_.disturbances.noise_grey * std::sqrt(exposure.amplified());
   shot.noise_seed = noise_seed;

@@ -61,7 +61,8 @@ float hidden_share(float x, float y, float lamp_x, float lamp_y, float lamp_h, c
 }  // namespace
 
 Light::Light(const Site& site, double gloss_grey, Random random)
-    : ambient_(static_cast<float>(site.ambient * site.change.ambient)),
+    : as_written_(site.lamps),
+      ambient_(static_cast<float>(site.ambient * site.change.ambient)),
       gloss_(static_cast<float>(site.change.light * gloss_grey)),
       glare_(static_cast<float>(site.change.light * site.change.glare_grey)),
       glare_size_m_(static_cast<float>(site.change.glare_size_m)),
@@ -74,7 +75,7 @@ Light::Light(const Site& site, double gloss_grey, Random random)
     lamps_.push_back({static_cast<float>(lamp.x), static_cast<float>(lamp.y), static_cast<float>(lamp.height_m),
                       static_cast<float>(lamp.brightness * bright[i])});
   }
-  far_ = lamps_;
+  far_ = now_ = lamps_;
   // The camera is set so that the floor comes out at its mean brightness with the lamps as the file has them.
   double sum = 0.0;
   int count = 0;
@@ -96,7 +97,10 @@ void Light::look_around(double x, double y, double time_s) {
   shades_.look_around(x, y, time_s);
   near_.clear();
   far_.clear();
-  for (const LampNow& lamp : lamps_) {
+  now_ = lamps_;
+  for (std::size_t i = 0; i < now_.size(); ++i)
+    now_[i].brightness *= static_cast<float>(share_at(as_written_[i], time_s));
+  for (const LampNow& lamp : now_) {
     (std::hypot(lamp.x - x, lamp.y - y) < kNearM ? near_ : far_).push_back(lamp);
   }
 }
@@ -205,7 +209,7 @@ void Light::on_wall(std::span<const float> x, std::span<const float> y, std::spa
   // Faces look sideways: the ambient light and the lamps at a slant.
   std::fill(gain.begin(), gain.end(), ambient_);
   const std::size_t count = gain.size();
-  for (const LampNow& lamp : lamps_) {
+  for (const LampNow& lamp : now_) {
     const float share = 0.7F * lamp.brightness;
     for (std::size_t i = 0; i < count; ++i) {
       const float height = lamp.height - z[i];

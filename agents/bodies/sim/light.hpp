@@ -28,7 +28,8 @@ class Light {
   /// Lights upright faces at points (x, y, z), without shadow or shine.
   void on_wall(std::span<const float> x, std::span<const float> y, std::span<const float> z,
                std::span<float> gain) const;
-  /// Sets the robot's place (far lamps are taken without shadow and shine) and where moving shadows are by then.
+  /// Sets the robot's place (far lamps are taken without shadow and shine), where moving shadows are by then, and how
+  /// bright lamps are that flicker or have ended.
   void look_around(double x, double y, double time_s);
 
  private:
@@ -46,8 +47,10 @@ class Light {
   void add_mirrored(const Seen& seen, float grey, float size_m, std::span<const float> share,
                     std::span<float> shine) const;
 
-  std::vector<LampNow> lamps_;
-  std::vector<LampNow> near_;  ///< with shadow and shine
+  std::vector<Lamp> as_written_;
+  std::vector<LampNow> lamps_;  ///< of this run
+  std::vector<LampNow> now_;    ///< of these, as bright as they are at the time
+  std::vector<LampNow> near_;   ///< with shadow and shine
   std::vector<LampNow> far_;
   float ambient_ = 1.0F;
   float per_mean_ = 1.0F;

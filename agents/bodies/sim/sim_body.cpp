@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "agents/bodies/sim/base.hpp"
+#include "agents/bodies/sim/blacked_out_camera.hpp"
 #include "agents/bodies/sim/floor/site_floor.hpp"
 #include "agents/bodies/sim/hall/hall_photographs.hpp"
 #include "agents/bodies/sim/hand.hpp"
@@ -105,7 +106,7 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
       seed_(seed_of(config.seed, start)),
       day_(config.day),
       robot_(start.name),
-      base_(site_.base, site_.disturbances, site_.boxes,
+      base_(site_.base, site_.disturbances, Solids(site_),
             wheel_errors_from(site_.disturbances, random_of(seed_, wheels)), start.site_from_robot,
             random_of(seed_, slip, day_)),
       shake_(shake_from(site_.disturbances, random_of(seed_, vibration, day_))),
@@ -137,6 +138,7 @@ SimBody::SimBody(const SimBodyConfig& config, const RobotStart& start,
     cameras_.push_back(
         {make_stereo_camera(site_, owner, floor, hall, light_now()), camera.fps, camera.fps_at_rest, 0.0});
   }
+  for (TimedCamera& timed : cameras_) timed.camera = with_blackouts(std::move(timed.camera), site_);
   constexpr double apart = 0.4;  // of a period: no two cameras see at the same moment
   for (std::size_t i = 1; i < cameras_.size(); ++i)
     cameras_[i].last_s = -apart * static_cast<double>(i) * cameras_[i].period_s(false);
@@ -220,6 +222,7 @@ Moment SimBody::moment_now() {
   };
   moment.site_from_robot = robot_at(-offset_s);
   moment.time_s = std::max(0.0, now_s_ - offset_s);
+  moment.waited_s = base_.solids().waited_s();
   moment.brightness = 1.0 + exposure_drift_.at(now_s_);
   moment.noise_seed = random_of(seed_, noise, day_ * 0x10000 + run_).fork(frame_).next();
   return moment;
@@ -283,8 +286,9 @@ Result<Sample> SimBody::step(const Twist& command) {
   if (sample.hand && hand_done_) {
     next_run();
   }
+  const std::optional<std::string> touch = base_.take_touch();
   if (truth_) {
-    if (auto written = truth_->write(robot_, frame_, now_s_, base_.site_from_robot()); !written) {
+    if (auto written = truth_->write(robot_, frame_, now_s_, base_.site_from_robot(), touch); !written) {
       return fail(written.error());
     }
   }
@@ -311,6 +315,7 @@ Result<std::unique_ptr<SimulatedBody>> make_sim_body(const SimBodyConfig& config
   }
   SimBodyConfig now = config;
   if (now.day < now.site.change.from_day) now.site.change = {};
+  std::erase_if(now.site.obstacles, [&now](const Obstacle& obstacle) { return now.day < obstacle.from_day; });
   if (start->ceiling_camera) now.site.ceiling_camera = *start->ceiling_camera;
   auto floor = make_site_floor(now.site, now.floors_dir, now.warn);
   if (!floor) {

@@ -17,7 +17,8 @@ struct SimBodyConfig {
   std::uint64_t day = 0;   ///< another day: other calibration errors, light and noise on the same floor
   std::optional<std::string> floors_dir;  ///< photographs instead of a procedural floor
   std::optional<std::string> hall_dir;    ///< photographs of what stands in the hall (hall/hall_photographs.hpp)
-  std::optional<std::string> truth_path;  ///< a JSON line per frame is appended: robot, frame, t, x, y, heading
+  std::optional<std::string>
+      truth_path;  ///< a JSON line per frame is appended: robot, frame, t, x, y, heading, touch
   std::function<void(const std::string&)> warn;  ///< optional; assumptions that were made
 };
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "agents/bodies/sim/floor/source.hpp"
 #include "agents/bodies/sim/hall/textures.hpp"
@@ -19,7 +20,8 @@ struct Moment {
   std::function<Pose3(const Pose3& robot_from_camera, double from_now_s)> site_from_camera;
   Pose2 site_from_robot;
   double time_s = 0.0;
-  double brightness = 1.0;  ///< of what the sensor makes of light, as it drifts
+  std::vector<double> waited_s = {};  ///< of each of the site's movers, until then; empty: none has
+  double brightness = 1.0;            ///< of what the sensor makes of light, as it drifts
   std::uint64_t noise_seed = 0;
 };
 

@@ -6,11 +6,13 @@
 #include <set>
 
 #include "agents/bodies/sim/base.hpp"
+#include "agents/bodies/sim/blackout_keys.hpp"
 #include "agents/bodies/sim/ceiling_camera_keys.hpp"
 #include "agents/bodies/sim/ceiling_keys.hpp"
 #include "agents/bodies/sim/change_keys.hpp"
 #include "agents/bodies/sim/changes.hpp"
 #include "agents/bodies/sim/floor/materials.hpp"
+#include "agents/bodies/sim/solid_keys.hpp"
 #include "agents/bodies/sim/stereo_camera_keys.hpp"
 #include "core/config/config.hpp"
 
@@ -61,17 +63,45 @@ FloorSetup floor_in(const Table& table) {
   return floor;
 }
 
+/// Reads how large a rack is, or takes the sizes of the one that it is like.
+void read_rack_size(const Table& table, const Site& site, Box& rack) {
+  rack.like = table.text("like", "");
+  if (rack.like.empty()) {
+    rack.length_m = table.number("length_m", required, 0.1, 200.0);
+    rack.width_m = table.number("width_m", 1.0, 0.1, 20.0);
+    rack.height_m = table.number("height_m", 4.0, 0.1, 20.0);
+    return;
+  }
+  const auto other = std::find_if(site.boxes.begin(), site.boxes.end(),
+                                  [&rack](const Box& box) { return box.name == rack.like && box.like.empty(); });
+  if (other == site.boxes.end()) {
+    table.refuse("like", "names no [[rack]] before it that is like none itself: \"" + rack.like + "\"");
+    return;
+  }
+  rack.length_m = other->length_m;
+  rack.width_m = other->width_m;
+  rack.height_m = other->height_m;
+}
+
 void add_racks(const Table& root, Site& site) {
   for (const Table& table : root.tables("rack", 0, 1000)) {
     Box box;
     box.kind = Box::Kind::rack;
     box.name = table.text("name", "rack " + std::to_string(site.boxes.size() + 1));
     box.site_from_box = pose_in(table);
-    box.length_m = table.number("length_m", required, 0.1, 200.0);
-    box.width_m = table.number("width_m", 1.0, 0.1, 20.0);
-    box.height_m = table.number("height_m", 4.0, 0.1, 20.0);
+    read_rack_size(table, site, box);
     site.boxes.push_back(box);
   }
+}
+
+/// Reads how much there is to see on a wall.
+void read_contrast(const Table& table, Box& wall) {
+  constexpr double of_plain = 0.02;
+  const bool is_plain = table.boolean("plain", false);
+  if (is_plain && table.has("contrast"))
+    table.refuse("contrast", "is 0.02 where plain = true; leave out one of them");
+  wall.contrast = table.number("contrast", is_plain ? of_plain : wall.contrast, 0.0, 1.0);
+  wall.has_signs = !is_plain;
 }
 
 void add_walls(const Table& root, Site& site) {
@@ -83,6 +113,7 @@ void add_walls(const Table& root, Site& site) {
     box.name = table.text("name", "wall " + std::to_string(site.boxes.size() + 1));
     box.width_m = table.number("thickness_m", 0.2, 0.02, 2.0);
     box.height_m = table.number("height_m", 5.0, 0.1, 20.0);
+    read_contrast(table, box);
     if (from.size() == 2 && to.size() == 2) {
       box.length_m = std::hypot(to[0] - from[0], to[1] - from[1]);
       box.site_from_box = {(from[0] + to[0]) / 2, (from[1] + to[1]) / 2,
@@ -115,8 +146,7 @@ void add_names_and_lamps(const Table& root, Site& site) {
     Lamp lamp;
     lamp.x = table.number("x", required, -kFar, kFar);
     lamp.y = table.number("y", required, -kFar, kFar);
-    lamp.height_m = table.number("height_m", lamp.height_m, 2.0, 30.0);
-    lamp.brightness = table.number("brightness", lamp.brightness, 0.0, 20.0);
+    read_shining(table, lamp);
     site.lamps.push_back(lamp);
   }
 }
@@ -143,6 +173,20 @@ void read_looks(const Table& table, RobotStart& robot) {
   }
 }
 
+/// Refuses a robot that would stand in something when its body's time begins.
+void refuse_stands_in(const Table& table, const RobotStart& robot, const Site& site) {
+  const Pose2& at = robot.site_from_robot;
+  for (const Box& box : site.boxes) {
+    if (distance_to(box, at.x, at.y) < site.base.radius_m)
+      table.refuse("x", robot.name + " would stand in " + box.name);
+  }
+  for (const Obstacle& o : site.obstacles) {
+    if (o.stands_at(0.0) &&
+        distance_to_rim(o.site_from_obstacle, o.length_m, o.width_m, at.x, at.y) < site.base.radius_m)
+      table.refuse("x", robot.name + " would stand in " + o.name);
+  }
+}
+
 void add_robots(const Table& root, Site& site) {
   std::set<std::string> names;
   for (const Table& table : root.tables("robot", 1, 1000)) {
@@ -159,11 +203,7 @@ void add_robots(const Table& root, Site& site) {
     if (!names.insert(robot.name).second) {
       table.refuse("name", "two robots are called \"" + robot.name + "\"");
     }
-    for (const Box& box : site.boxes) {
-      if (distance_to(box, robot.site_from_robot.x, robot.site_from_robot.y) < site.base.radius_m) {
-        table.refuse("x", robot.name + " would stand in " + box.name);
-      }
-    }
+    refuse_stands_in(table, robot, site);
     site.robots.push_back(robot);
   }
 }
@@ -222,22 +262,6 @@ HallSetup hall_in(const Table& table) {
   h.wall_grey = table.number("wall_grey", h.wall_grey, 5.0, 250.0);
   h.ceiling = ceiling_in(table);
   return h;
-}
-
-Mover mover_in(const Table& table, Mover::Kind kind) {
-  Mover m;
-  m.kind = kind;
-  const std::vector<double> way = table.numbers("way", required, 4, 200, -kFar, kFar);
-  if (way.size() % 2 != 0) table.refuse("way", "must hold an x and a y for each point");
-  for (std::size_t i = 0; i + 1 < way.size(); i += 2) m.way.push_back({way[i], way[i + 1]});
-  for (std::size_t i = 1; i < m.way.size(); ++i) {
-    if (std::hypot(m.way[i].x - m.way[i - 1].x, m.way[i].y - m.way[i - 1].y) < 0.1)
-      table.refuse("way", "has two points that are less than 0.1 m apart");
-  }
-  m.speed_m_s = table.number("speed_m_s", kind == Mover::Kind::person ? 1.0 : 1.5, 0.0, 5.0);
-  m.begins_m = table.number("begins_m", 0.0, 0.0, 10'000.0);
-  if (kind == Mover::Kind::forklift) m.forks_m = table.number("forks_m", m.forks_m, m.forks_m, 12.0);
-  return m;
 }
 
 BaseSetup base_in(const Table& table) {
@@ -354,10 +378,7 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   site.ceiling_camera = ceiling_camera_in(root.table("ceiling_camera"), {});
   site.stereo_camera = stereo_camera_in(root.table("stereo_camera"), {});
   site.hall = hall_in(root.table("hall"));
-  for (const Table& table : root.tables("person", 0, 100))
-    site.movers.push_back(mover_in(table, Mover::Kind::person));
-  for (const Table& table : root.tables("forklift", 0, 100))
-    site.movers.push_back(mover_in(table, Mover::Kind::forklift));
+  add_solids_in(root, site);
   site.base = base_in(root.table("base"));
   site.hand = hand_in(root.table("hand"));
   site.disturbances = disturbances_in(root.table("disturbances"));
@@ -368,6 +389,7 @@ Result<Site> parse_site(std::string_view text, const std::string& file_name) {
   add_overhead_in(root, site);
   if (root.has("battery")) site.battery = battery_in(root.table("battery"), site.stations);
   add_robots(root, site);
+  add_blackouts_in(root, site);
   add_change(root.table("change"), site);
   if (auto checked = root.result(); !checked) {
     return fail(checked.error());

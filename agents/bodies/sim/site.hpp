@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,10 +8,12 @@
 
 #include "agents/bodies/battery.hpp"
 #include "agents/bodies/body.hpp"
+#include "agents/bodies/sim/blackout.hpp"
 #include "agents/bodies/sim/ceiling.hpp"
 #include "agents/bodies/sim/ceiling_camera_setup.hpp"
 #include "agents/bodies/sim/change.hpp"
 #include "agents/bodies/sim/exposure_setup.hpp"
+#include "agents/bodies/sim/obstacle.hpp"
 #include "agents/bodies/sim/stereo_camera_setup.hpp"
 #include "core/geometry/pose2.hpp"
 #include "core/result.hpp"
@@ -28,6 +31,9 @@ struct Box {
   double length_m = 1.0;
   double width_m = 1.0;
   double height_m = 2.0;
+  double contrast = 1.0;  ///< of a wall: factor on its texture about its mean
+  bool has_signs = true;  ///< of a wall
+  std::string like = {};  ///< of a rack: the name of the one before it that shows the same; empty: none
 };
 
 struct Station {
@@ -40,6 +46,9 @@ struct Lamp {
   double y = 0.0;
   double height_m = 6.0;
   double brightness = 1.0;  ///< 1: a lamp that lights the floor under it to twice the ambient light
+  double flicker = 0.0;     ///< most of its light that is missing at a time
+  double flicker_hz = 8.0;  ///< so often another share is missing
+  double ends_s = std::numeric_limits<double>::infinity();  ///< of a body's time: dark from then on
 };
 
 struct RobotStart {
@@ -96,6 +105,9 @@ struct Mover {
   double speed_m_s = 1.0;
   double begins_m = 0.0;  ///< along the way when a body's time begins
   double forks_m = 0.15;  ///< a forklift's, above the floor
+  std::string name = "mover";
+  bool is_rude = false;  ///< a person who does not wait for robots
+  bool is_solid = true;  ///< false: robots go through it, and it does not wait for them
 };
 
 struct BaseSetup {
@@ -159,6 +171,8 @@ struct Site {
   std::vector<Pipe> pipes;
   std::vector<Skylight> skylights;
   std::vector<Mover> movers;
+  std::vector<Obstacle> obstacles;
+  std::vector<Blackout> blackouts;
   BaseSetup base;
   HandSetup hand;
   std::optional<BatterySetup> battery;  ///< of every robot; none: they have none

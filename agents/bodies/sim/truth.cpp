@@ -10,6 +10,26 @@
 
 namespace weft::agents::sim {
 
+namespace {
+
+/// Writes a text as JSON has it.
+std::string json_text(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) < 0x20U) {
+      char code[16];
+      std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(c));
+      out += code;
+      continue;
+    }
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+}  // namespace
+
 Result<TruthFile> TruthFile::open(const std::string& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (file < 0) {
@@ -33,11 +53,14 @@ TruthFile::~TruthFile() {
   }
 }
 
-Result<void> TruthFile::write(const std::string& robot, std::uint64_t frame, double time_s, const Pose2& pose) {
+Result<void> TruthFile::write(const std::string& robot, std::uint64_t frame, double time_s, const Pose2& pose,
+                              const std::optional<std::string>& touch) {
   char numbers[200];
-  std::snprintf(numbers, sizeof numbers, "\",\"frame\":%llu,\"t\":%.6f,\"x\":%.6f,\"y\":%.6f,\"heading\":%.7f}\n",
+  std::snprintf(numbers, sizeof numbers, "\",\"frame\":%llu,\"t\":%.6f,\"x\":%.6f,\"y\":%.6f,\"heading\":%.7f",
                 static_cast<unsigned long long>(frame), time_s, pose.x, pose.y, pose.heading);
-  const std::string line = "{\"robot\":\"" + robot + numbers;
+  std::string line = "{\"robot\":\"" + robot + numbers;
+  if (touch) line += ",\"touch\":" + json_text(*touch);
+  line += "}\n";
   // One write call: with O_APPEND lines of several robots in one file stay whole too.
   if (::write(file_, line.data(), line.size()) != static_cast<ssize_t>(line.size())) {
     return fail(ErrorCode::exhausted, "truth file " + path_ + ": " + std::strerror(errno));

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/geometry/pose2.hpp"
@@ -20,8 +21,10 @@ class TruthFile {
   TruthFile& operator=(const TruthFile&) = delete;
   ~TruthFile();
 
-  /// Appends a line; s, and metres and radians, site frame. exhausted: cannot be written (the disk is full).
-  Result<void> write(const std::string& robot, std::uint64_t frame, double time_s, const Pose2& site_from_robot);
+  /// Appends a line; s, and metres and radians, site frame; `touch`: the name of what it has touched since the line
+  /// before. exhausted: cannot be written (the disk is full).
+  Result<void> write(const std::string& robot, std::uint64_t frame, double time_s, const Pose2& site_from_robot,
+                     const std::optional<std::string>& touch);
 
  private:
   TruthFile(int file, std::string path) : file_(file), path_(std::move(path)) {}

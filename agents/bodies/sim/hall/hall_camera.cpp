@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "agents/bodies/sim/hall/movers.hpp"
+#include "agents/bodies/sim/hall/obstacles.hpp"
 #include "agents/perception/lens.hpp"
 #include "core/random.hpp"
 
@@ -16,11 +17,11 @@ constexpr std::size_t kNoise = 1U << 18U;
 }  // namespace
 
 HallCamera::HallCamera(const CameraModel& camera, const HallCameraOptions& options, std::shared_ptr<const Hall> hall,
-                       std::vector<Mover> movers, const HallLight& light)
+                       Comings comings, const HallLight& light)
     : camera_(camera),
       options_(options),
       hall_(std::move(hall)),
-      movers_(std::move(movers)),
+      comings_(std::move(comings)),
       light_(light),
       rays_(camera, options.vignetting, options.widest_rad),
       carried_(rays_, camera, options.carried),
@@ -45,7 +46,15 @@ bool HallCamera::sees_nothing(std::size_t block) const {
 
 void HallCamera::set_light(const HallLight& light) {
   light_ = light;
-  faces_ = faces_of(hall_->quads(), light_.on(hall_->quads(), &hall_->scene()));
+  still_light_ = UnsteadyLight(light_, hall_->quads(), &hall_->scene());
+  faces_ = faces_of(hall_->quads(), still_light_.at(0.0));
+}
+
+/// Lights what stands still as it is lit at a time, s, by lamps that flicker or end.
+void HallCamera::relight(double time_s) {
+  if (still_light_.is_steady()) return;
+  const std::vector<QuadLight> light = still_light_.at(time_s);
+  for (std::size_t i = 0; i < faces_.size(); ++i) std::copy(light[i].at.begin(), light[i].at.end(), faces_[i].light);
 }
 
 std::vector<ShadedFace> HallCamera::faces_of(const std::vector<Quad>& quads,
@@ -160,7 +169,7 @@ double HallCamera::gather_light(const HallShot& shot) {
     Quad here;  // level, at the camera
     here.corner = shot.site_from_camera.front().translation.cast<float>();
     here.up = Eigen::Vector3f::UnitY();
-    const float light = light_.on(std::vector{here}, nullptr).front().at.front();
+    const float light = light_.at_time(shot.time_s).on(std::vector{here}, nullptr).front().at.front();
     for (std::size_t from = 0; from < seen_.size(); ++from)
       seen_[from] += rays_.vignette[from] * light * carried_.grey[from] - carried_.cover[from] * seen_[from];
   }
@@ -198,15 +207,32 @@ double HallCamera::distance_m(const Pose3& site_from_camera, int column, int row
       hall_->scene().distance_m(site_from_camera.translation.cast<float>(), way.cast<float>()));
 }
 
-HallImage HallCamera::take(const HallShot& shot) {
+/// Sets up what moves, or stands there for a while, as it is when an image is taken.
+HallCamera::Moving HallCamera::moving_at(const HallShot& shot) const {
+  constexpr std::uint32_t first_obstacle = 1000;  // beyond all movers
   std::vector<Quad> quads;
   std::vector<Moving::Sphere> around;
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
+  const auto add = [&](const auto& draw) {
     const std::size_t first = quads.size();
-    add_mover(movers_[i], static_cast<std::uint32_t>(i + 1), shot.time_s, quads);
+    draw();
     around.push_back(Moving::around_of(std::span(quads).subspan(first)));
+  };
+  for (std::size_t i = 0; i < comings_.movers.size(); ++i) {
+    const double waited_s = shot.waited_s.empty() ? 0.0 : shot.waited_s[i];
+    const double at_s = std::max(0.0, shot.time_s - waited_s);
+    add([&] { add_mover(comings_.movers[i], static_cast<std::uint32_t>(i + 1), at_s, quads); });
   }
-  look(shot, {faces_of(quads, light_.on(quads, nullptr)), QuadScene(quads), around});
+  for (std::size_t i = 0; i < comings_.obstacles.size(); ++i) {
+    const Obstacle& obstacle = comings_.obstacles[i];
+    if (!obstacle.stands_at(shot.time_s)) continue;
+    add([&] { add_obstacle(obstacle, first_obstacle + static_cast<std::uint32_t>(i), quads); });
+  }
+  return {faces_of(quads, light_.at_time(shot.time_s).on(quads, nullptr)), QuadScene(quads), around};
+}
+
+HallImage HallCamera::take(const HallShot& shot) {
+  relight(shot.time_s);
+  look(shot, moving_at(shot));
   return develop(shot);
 }
 

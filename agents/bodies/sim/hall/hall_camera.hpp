@@ -9,6 +9,7 @@
 #include "agents/bodies/sim/hall/carried.hpp"
 #include "agents/bodies/sim/hall/hall.hpp"
 #include "agents/bodies/sim/hall/sampled_rays.hpp"
+#include "agents/bodies/sim/hall/unsteady_light.hpp"
 #include "agents/perception/camera_model.hpp"
 #include "core/bytes.hpp"
 
@@ -19,9 +20,10 @@ struct HallShot {
   std::array<Pose3, kHallSamples> site_from_camera;  ///< in the middle of each quarter of the exposure
   /// Holds, of a rolling shutter, the same for each kHallBand rows; empty: all rows are taken at once.
   std::vector<std::array<Pose3, kHallSamples>> bands;
-  double time_s = 0.0;      ///< of the body: what moves is there then
-  double gain = 1.0;        ///< grey levels for what is 1 when the sensor is exposed as sites are lit for
-  double noise_grey = 2.0;  ///< standard deviation
+  double time_s = 0.0;                ///< of the body: what moves is there then
+  std::vector<double> waited_s = {};  ///< of each mover, until then; empty: none has
+  double gain = 1.0;                  ///< grey levels for what is 1 when the sensor is exposed as sites are lit for
+  double noise_grey = 2.0;            ///< standard deviation
   std::uint64_t noise_seed = 0;
 };
 
@@ -39,13 +41,19 @@ struct HallCameraOptions {
   std::vector<Quad> carried = {};  ///< by the robot, in its frame, before the camera
 };
 
+/// Holds what is not always at one place of a hall.
+struct Comings {
+  std::vector<Mover> movers;
+  std::vector<Obstacle> obstacles;
+};
+
 /// Renders what a camera that looks around in a hall sees: each pixel is the mean of four rays, at four moments of
 /// the exposure and four places within it. Not for several threads.
 class HallCamera {
  public:
   /// Takes the true camera; its width and height are multiples of 4.
   HallCamera(const CameraModel& camera, const HallCameraOptions& options, std::shared_ptr<const Hall> hall,
-             std::vector<Mover> movers, const HallLight& light);
+             Comings comings, const HallLight& light);
   /// Sets the light of another run.
   void set_light(const HallLight& light);
 
@@ -75,6 +83,8 @@ class HallCamera {
     std::size_t look = 0;  ///< which of them
   };
   std::array<Sample, kHallSamples> samples_from(const std::array<Pose3, kHallSamples>& site_from_camera) const;
+  void relight(double time_s);
+  Moving moving_at(const HallShot& shot) const;
   void look(const HallShot& shot, const Moving& moving);
   void look_through(std::size_t from, const Sample& sample, const Moving& moving);
   void shade(const std::vector<ShadedFace>& faces, const RayPacket& rays, std::size_t from, std::uint32_t which);
@@ -85,8 +95,9 @@ class HallCamera {
   CameraModel camera_;
   HallCameraOptions options_;
   std::shared_ptr<const Hall> hall_;
-  std::vector<Mover> movers_;
+  Comings comings_;
   HallLight light_;
+  UnsteadyLight still_light_;
   std::vector<ShadedFace> faces_;
   ShadeFace shade_face_ = shade_face();
   SampledRays rays_;

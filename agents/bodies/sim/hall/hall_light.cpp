@@ -9,7 +9,8 @@
 namespace weft::agents::sim {
 namespace {
 
-constexpr float kLampGrey = 12.0F;  // of a lamp's own face against a lit floor under it
+constexpr float kLampGrey = 12.0F;     // of a lamp's own face against a lit floor under it
+constexpr float kDarkLampGrey = 0.3F;  // likewise, of one that gives no light
 
 /// Returns the light that a lamp at `lamp` that shines down gives a surface, 1 on the floor below it.
 float falloff(const Eigen::Vector3f& lamp, const Eigen::Vector3f& point, const Eigen::Vector3f& normal) {
@@ -22,9 +23,31 @@ float falloff(const Eigen::Vector3f& lamp, const Eigen::Vector3f& point, const E
   return lamp.z() * lamp.z() * facing * down / distance2;
 }
 
+/// Returns light of a lamp there, or 0 where something is in the way, or where it is too little to count.
+float arriving(float light, const Eigen::Vector3f& lamp, const Eigen::Vector3f& from, const QuadScene* in_the_way) {
+  if (light < 0.003F) return 0.0F;
+  const Eigen::Vector3f under = lamp - 0.1F * Eigen::Vector3f::UnitZ();
+  return in_the_way == nullptr || !in_the_way->is_hidden(from, under) ? light : 0.0F;
+}
+
+/// Returns a point above the surface itself.
+Eigen::Vector3f above(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) {
+  constexpr float above_m = 0.02F;
+  return point + above_m * normal;
+}
+
+/// Returns a corner of a quad, a little within: one that touches its neighbour would lie in its shadow.
+Eigen::Vector3f corner_of(const Quad& quad, std::size_t corner) {
+  constexpr float inset = 0.04F;
+  const float u = corner % 2 == 0 ? inset : 1.0F - inset;
+  const float v = corner < 2 ? inset : 1.0F - inset;
+  return quad.at(u, v);
+}
+
 }  // namespace
 
-HallLight::HallLight(const Site& site, Random random) : ambient_(static_cast<float>(site.ambient)) {
+HallLight::HallLight(const Site& site, Random random)
+    : as_written_(site.lamps), ambient_(static_cast<float>(site.ambient)) {
   const std::vector<double> bright = lamps_now(site, random);
   std::vector<LampNow> as_written;
   for (std::size_t i = 0; i < site.lamps.size(); ++i) {
@@ -58,34 +81,67 @@ HallLight::HallLight(const Site& site, Random random) : ambient_(static_cast<flo
 }
 
 float HallLight::at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, const QuadScene* in_the_way) const {
-  constexpr float above_m = 0.02F;  // off the surface itself
-  const Eigen::Vector3f from = point + above_m * normal;
+  const Eigen::Vector3f from = above(point, normal);
   float sum = ambient_;
   for (const std::vector<LampNow>* lamps : {&lamps_, &skylights_}) {
     for (const LampNow& lamp : *lamps) {
-      const float light = lamp.brightness * falloff(lamp.at, point, normal);
-      if (light < 0.003F) continue;
-      const Eigen::Vector3f under = lamp.at - 0.1F * Eigen::Vector3f::UnitZ();
-      if (in_the_way == nullptr || !in_the_way->is_hidden(from, under)) sum += light;
+      sum += arriving(lamp.brightness * falloff(lamp.at, point, normal), lamp.at, from, in_the_way);
     }
   }
   return sum * per_mean_ * change_;
 }
 
-/// Returns the light of a lamp's own face, which shines by itself; its place tells which lamp it is.
-QuadLight HallLight::of_lamp(const Quad& quad) const {
-  float shines = 0.0F;
+/// Returns which lamp a lamp's own face belongs to: the nearest.
+std::size_t HallLight::lamp_at(const Quad& quad) const {
+  std::size_t at = 0;
   float nearest = std::numeric_limits<float>::infinity();
-  for (const LampNow& lamp : lamps_) {
-    const float away = (lamp.at - quad.at(0.5F, 0.5F)).squaredNorm();
+  for (std::size_t i = 0; i < lamps_.size(); ++i) {
+    const float away = (lamps_[i].at - quad.at(0.5F, 0.5F)).squaredNorm();
     if (away < nearest) {
       nearest = away;
-      shines = lamp.shines;
+      at = i;
     }
   }
+  return at;
+}
+
+/// Returns the light of a lamp's own face, which shines by itself; its place tells which lamp it is.
+QuadLight HallLight::of_lamp(const Quad& quad) const {
+  const float shines = lamps_.empty() ? 0.0F : lamps_[lamp_at(quad)].shines;
   QuadLight light;
-  light.at.fill(std::max(0.3F, kLampGrey * shines) * change_);
+  light.at.fill(std::max(kDarkLampGrey, kLampGrey * shines) * change_);
   return light;
+}
+
+HallLight HallLight::at_time(double time_s) const {
+  HallLight now = *this;
+  for (std::size_t i = 0; i < now.lamps_.size(); ++i) {
+    const auto share = static_cast<float>(share_at(as_written_[i], time_s));
+    now.lamps_[i].brightness *= share;
+    now.lamps_[i].shines *= share;
+  }
+  return now;
+}
+
+std::vector<QuadLight> HallLight::by_lamp(std::size_t lamp, std::span<const Quad> quads,
+                                          const QuadScene* in_the_way) const {
+  const LampNow& one = lamps_[lamp];
+  std::vector<QuadLight> all(quads.size());
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    const Quad& quad = quads[i];
+    if (quad.stuff == Stuff::skylight) continue;
+    if (quad.stuff == Stuff::lamp) {
+      if (lamp_at(quad) == lamp) all[i].at.fill(std::max(0.0F, kLampGrey * one.shines - kDarkLampGrey) * change_);
+      continue;
+    }
+    const Eigen::Vector3f normal = quad.normal();
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const Eigen::Vector3f point = corner_of(quad, corner);
+      const float light = one.brightness * falloff(one.at, point, normal);
+      all[i].at[corner] = arriving(light, one.at, above(point, normal), in_the_way) * per_mean_ * change_;
+    }
+  }
+  return all;
 }
 
 std::vector<QuadLight> HallLight::on(std::span<const Quad> quads, const QuadScene* in_the_way) const {
@@ -103,12 +159,8 @@ std::vector<QuadLight> HallLight::on(std::span<const Quad> quads, const QuadScen
       continue;
     }
     const Eigen::Vector3f normal = quad.normal();
-    constexpr float inset = 0.04F;  // a corner that touches its neighbour would lie in its shadow
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      const float u = corner % 2 == 0 ? inset : 1.0F - inset;
-      const float v = corner < 2 ? inset : 1.0F - inset;
-      light.at[corner] = at(quad.at(u, v), normal, in_the_way);
-    }
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      light.at[corner] = at(corner_of(quad, corner), normal, in_the_way);
     all.push_back(light);
   }
   return all;

@@ -24,6 +24,12 @@ class HallLight {
 
   /// Returns the light on each quad. `in_the_way`: what throws shadows; null: nothing does.
   std::vector<QuadLight> on(std::span<const Quad> quads, const QuadScene* in_the_way) const;
+  /// Returns what one lamp of the site gives of that, each quad.
+  std::vector<QuadLight> by_lamp(std::size_t lamp, std::span<const Quad> quads, const QuadScene* in_the_way) const;
+  /// Returns the same hall at a body's time, s: lamps that flicker or have ended are as bright as they are then.
+  HallLight at_time(double time_s) const;
+  /// Returns the lamps as the site file has them, in its order.
+  const std::vector<Lamp>& lamps() const { return as_written_; }
 
  private:
   struct LampNow {
@@ -32,8 +38,10 @@ class HallLight {
     float shines;  ///< against the same lamp as the site file has it
   };
   float at(const Eigen::Vector3f& point, const Eigen::Vector3f& normal, const QuadScene* in_the_way) const;
+  std::size_t lamp_at(const Quad& lamp) const;
   QuadLight of_lamp(const Quad& lamp) const;
 
+  std::vector<Lamp> as_written_;
   std::vector<LampNow> lamps_;
   std::vector<LampNow> skylights_;
   float ambient_ = 1.0F;

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "agents/bodies/sim/hall/ceiling_surface.hpp"
 #include "agents/bodies/sim/hall/overhead.hpp"
 #include "agents/bodies/sim/hall/panels.hpp"
 #include "agents/bodies/sim/hall/stock.hpp"
+#include "core/geometry/pose3.hpp"
 #include "core/random.hpp"
 
 namespace weft::agents::sim {
@@ -28,6 +31,7 @@ void add_signs(const Quad& wall, Random random, std::vector<Quad>& quads) {
     sign.across = wall.across * static_cast<float>(size / length);
     sign.up = wall.up * static_cast<float>(random.uniform(0.7, 1.0) * size / wall.up.norm());
     sign.stuff = Stuff::sign;
+    sign.contrast = 1.0F;
     sign.grey = static_cast<float>(random.uniform(90.0, 150.0));
     sign.pattern = static_cast<std::uint32_t>(random.next());
     quads.push_back(sign);
@@ -37,6 +41,23 @@ void add_signs(const Quad& wall, Random random, std::vector<Quad>& quads) {
 void add_wall(const Quad& whole, Random random, std::vector<Quad>& quads) {
   add_panels(whole, quads);
   add_signs(whole, random, quads);
+}
+
+/// Adds a wall or a pillar of the site.
+void add_upright(const Box& box, const Site& site, std::vector<Quad>& quads) {
+  std::vector<Quad> sides;
+  Quad look;
+  look.grey = static_cast<float>(site.hall.wall_grey);
+  look.contrast = static_cast<float>(box.contrast);
+  const Pose2& pose = box.site_from_box;
+  add_box({{pose.x, pose.y, 0.0}, pose.heading, box.length_m, box.width_m, box.height_m}, look, sides);
+  for (const Quad& side : sides) {
+    if (box.has_signs) {
+      add_wall(side, Random(site.floor.seed ^ quads.size()), quads);
+    } else {
+      add_panels(side, quads);
+    }
+  }
 }
 
 void add_shell(const Site& site, std::vector<Quad>& quads) {
@@ -59,23 +80,41 @@ void add_shell(const Site& site, std::vector<Quad>& quads) {
   add_wall(face({x0, y0 + d, 0}, across, up, Stuff::wall, grey), Random(walls).fork(4), quads);
 }
 
+/// Holds where the quads of a rack are among all.
+struct RackQuads {
+  Pose2 site_from_rack;
+  std::size_t first, last;
+};
+
+/// Adds a rack that shows what another one does: the same quads at its own place.
+void add_alike(const Box& rack, const RackQuads& other, std::vector<Quad>& quads) {
+  const Pose3 here_from_there = lift(rack.site_from_box * other.site_from_rack.inverse());
+  for (std::size_t i = other.first; i < other.last; ++i) {
+    Quad quad = quads[i];
+    quad.corner = (here_from_there * quad.corner.cast<double>()).cast<float>();
+    quad.across = (here_from_there.rotation * quad.across.cast<double>()).cast<float>();
+    quad.up = (here_from_there.rotation * quad.up.cast<double>()).cast<float>();
+    quads.push_back(quad);
+  }
+}
+
 }  // namespace
 
 std::vector<Quad> interior_of(const Site& site) {
   std::vector<Quad> quads;
   add_shell(site, quads);
   add_overhead(site, quads);
+  std::map<std::string, RackQuads> racks;
   for (const Box& box : site.boxes) {
-    if (box.kind == Box::Kind::rack) {
+    if (const auto other = racks.find(box.like); other != racks.end()) {
+      add_alike(box, other->second, quads);
+    } else if (box.kind == Box::Kind::rack) {
+      const std::size_t first = quads.size();
       add_rack(box, site, quads);
-      continue;
+      if (!box.name.empty()) racks.try_emplace(box.name, RackQuads{box.site_from_box, first, quads.size()});
+    } else {
+      add_upright(box, site, quads);
     }
-    std::vector<Quad> sides;
-    Quad look;
-    look.grey = static_cast<float>(site.hall.wall_grey);
-    const Pose2& pose = box.site_from_box;
-    add_box({{pose.x, pose.y, 0.0}, pose.heading, box.length_m, box.width_m, box.height_m}, look, sides);
-    for (const Quad& side : sides) add_wall(side, Random(site.floor.seed ^ quads.size()), quads);
   }
   return quads;
 }

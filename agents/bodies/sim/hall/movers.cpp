@@ -3,52 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agents/bodies/sim/hall/shape.hpp"
+
 namespace weft::agents::sim {
 namespace {
-
-Quad look(Stuff stuff, float grey, std::uint32_t pattern) {
-  Quad quad;
-  quad.stuff = stuff;
-  quad.grey = grey;
-  quad.pattern = pattern;
-  return quad;
-}
-
-/// Adds boxes in a mover's own frame, x ahead.
-struct Shape {
-  const Pose2& pose;
-  std::vector<Quad>& quads;
-  void add(double x, double y, double z, double length, double width, double height, const Quad& looks) const {
-    const Eigen::Vector2d at = pose * Eigen::Vector2d(x, y);
-    add_box({{at.x(), at.y(), z}, pose.heading, length, width, height}, looks, quads);
-  }
-};
-
-void add_person(const Pose2& pose, std::uint32_t who, double walked_m, std::vector<Quad>& quads) {
-  const Shape shape{pose, quads};
-  const double stride = 0.22 * std::sin(walked_m * 2.0 * M_PI / 1.4);
-  const auto trousers = static_cast<float>(35 + who * 37 % 80);
-  const auto jacket = static_cast<float>(60 + who * 61 % 150);
-  for (const double side : {-1.0, 1.0})
-    shape.add(side * stride, side * 0.1, 0.0, 0.16, 0.15, 0.85, look(Stuff::clothing, trousers, who));
-  shape.add(0.0, 0.0, 0.85, 0.24, 0.44, 0.6, look(Stuff::clothing, jacket, who + 7));
-  for (const double side : {-1.0, 1.0})
-    shape.add(-side * stride, side * 0.27, 0.8, 0.12, 0.1, 0.6, look(Stuff::clothing, jacket * 0.9F, who + 9));
-  shape.add(0.0, 0.0, 1.5, 0.2, 0.17, 0.24, look(Stuff::clothing, 120.0F, who + 11));
-}
 
 void add_forklift(const Pose2& pose, std::uint32_t who, double forks_m, std::vector<Quad>& quads) {
   constexpr double lowered_mast_m = 2.3;
   constexpr double pallet_m = 0.15;
   const double mast_m = std::max(lowered_mast_m, forks_m + 1.2);
   const Shape shape{pose, quads};
-  shape.add(-0.3, 0.0, 0.15, 1.6, 1.1, 0.75, look(Stuff::vehicle, 150.0F, who));
-  shape.add(-0.8, 0.0, 0.9, 0.6, 1.0, 0.5, look(Stuff::vehicle, 70.0F, who + 1));
+  shape.add(-0.3, 0.0, 0.15, 1.6, 1.1, 0.75, painted(Stuff::vehicle, 150.0F, who));
+  shape.add(-0.8, 0.0, 0.9, 0.6, 1.0, 0.5, painted(Stuff::vehicle, 70.0F, who + 1));
   for (const double side : {-0.5, 0.5})
-    shape.add(0.55, side * 0.7, 0.0, 0.12, 0.1, mast_m, look(Stuff::steel, 50.0F, who));
-  shape.add(-0.4, 0.0, 2.1, 1.1, 1.0, 0.06, look(Stuff::vehicle, 60.0F, who + 2));
-  shape.add(1.15, 0.0, forks_m, 1.0, 0.9, 0.144, look(Stuff::pallet, 100.0F, who));
-  shape.add(1.15, 0.0, forks_m + pallet_m, 1.0, 0.9, 0.9, look(Stuff::load, 115.0F, who * 13 + 5));
+    shape.add(0.55, side * 0.7, 0.0, 0.12, 0.1, mast_m, painted(Stuff::steel, 50.0F, who));
+  shape.add(-0.4, 0.0, 2.1, 1.1, 1.0, 0.06, painted(Stuff::vehicle, 60.0F, who + 2));
+  shape.add(1.15, 0.0, forks_m, 1.0, 0.9, 0.144, painted(Stuff::pallet, 100.0F, who));
+  shape.add(1.15, 0.0, forks_m + pallet_m, 1.0, 0.9, 0.9, painted(Stuff::load, 115.0F, who * 13 + 5));
 }
 
 double length_of(const std::vector<SitePoint>& way) {
@@ -77,6 +48,19 @@ Pose2 pose_of(const Mover& mover, double time_s) {
     return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y), wrap_angle(heading)};
   }
   return {mover.way.front().x, mover.way.front().y, 0.0};
+}
+
+void add_person(const Pose2& pose, std::uint32_t who, double walked_m, std::vector<Quad>& quads) {
+  const Shape shape{pose, quads};
+  const double stride = 0.22 * std::sin(walked_m * 2.0 * M_PI / 1.4);
+  const auto trousers = static_cast<float>(35 + who * 37 % 80);
+  const auto jacket = static_cast<float>(60 + who * 61 % 150);
+  for (const double side : {-1.0, 1.0})
+    shape.add(side * stride, side * 0.1, 0.0, 0.16, 0.15, 0.85, painted(Stuff::clothing, trousers, who));
+  shape.add(0.0, 0.0, 0.85, 0.24, 0.44, 0.6, painted(Stuff::clothing, jacket, who + 7));
+  for (const double side : {-1.0, 1.0})
+    shape.add(-side * stride, side * 0.27, 0.8, 0.12, 0.1, 0.6, painted(Stuff::clothing, jacket * 0.9F, who + 9));
+  shape.add(0.0, 0.0, 1.5, 0.2, 0.17, 0.24, painted(Stuff::clothing, 120.0F, who + 11));
 }
 
 void add_mover(const Mover& mover, std::uint32_t who, double time_s, std::vector<Quad>& quads) {

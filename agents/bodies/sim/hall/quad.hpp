@@ -32,6 +32,7 @@ struct Quad {
   Stuff stuff = Stuff::wall;
   std::uint32_t pattern = 0;  ///< which of the stuff's textures, and where in it
   float grey = 128.0F;        ///< mean grey level under light 1
+  float contrast = 1.0F;      ///< factor on the texture about its mean
 
   Eigen::Vector3f at(float u, float v) const { return corner + u * across + v * up; }
   Eigen::Vector3f normal() const { return across.cross(up).normalized(); }

@@ -20,6 +20,7 @@ struct ShadedFace {
   float per_u = 1.0F, per_v = 1.0F, at_u = 0.0F, at_v = 0.0F;  ///< texels
   float per_m = 1.0F;                                          ///< texels
   float grey = 1.0F;                                           ///< of a texel of 1
+  float ground = 0.0F;                                         ///< besides: grey whatever the texel
   float normal[3] = {};
   float light[4] = {};  ///< at (0, 0), (1, 0), (0, 1), (1, 1)
 };

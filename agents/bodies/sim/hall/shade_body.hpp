@@ -90,8 +90,9 @@ using Ints [[gnu::vector_size(kLanes * sizeof(std::int32_t))]] = std::int32_t;
     const Floats distance2 = distance_m * distance_m;
     light += rays.headlight * facing * beam * beam * 4.0F / (distance2 > 0.25F ? distance2 : Floats{} + 0.25F);
   }
-  return face.grey *
-         texel(face.levels, u * face.per_u + face.at_u, v * face.per_v + face.at_v, pixel_m * face.per_m) * light;
+  const Floats shown =
+      texel(face.levels, u * face.per_u + face.at_u, v * face.per_v + face.at_v, pixel_m * face.per_m);
+  return (face.ground + face.grey * shown) * light;
 }
 
 void shade(const ShadeRays& rays) {

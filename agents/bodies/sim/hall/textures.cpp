@@ -79,7 +79,8 @@ ShadedFace Textures::of(const Quad& quad) const {
   const float up_m = quad.up.norm();
   ShadedFace face;
   face.levels = texture.levels();
-  face.grey = quad.grey / 128.0F;
+  face.grey = quad.contrast * (quad.grey / 128.0F);
+  face.ground = (1.0F - quad.contrast) * quad.grey;
   const Eigen::Vector3f normal = quad.normal();
   std::copy_n(normal.data(), 3, face.normal);
   if (is_fitted(quad.stuff)) {

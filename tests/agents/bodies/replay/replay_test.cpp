@@ -125,12 +125,23 @@ TEST_F(Recording, AnImageOfAnotherSizeIsADroppedFrame) {
   EXPECT_THAT(warnings_, HasSubstr("10 x 10"));
 }
 
-TEST_F(Recording, AMissingListIsNamed) {
+TEST_F(Recording, WithoutAListNamesAreTimes) {
   fs::remove(camera() / "data.csv");
-  const auto body = open();
-  ASSERT_FALSE(body);
-  EXPECT_EQ(body.error().code, ErrorCode::not_found);
-  EXPECT_THAT(body.error().message, HasSubstr("data.csv"));
+  EXPECT_EQ(open().error().code, ErrorCode::invalid);
+  EXPECT_THAT(open().error().message, HasSubstr("without a data.csv its name must be its time in nanoseconds"));
+  fs::rename(camera() / "data/a.png", camera() / "data/2000000000.png");
+  fs::rename(camera() / "data/b.png", camera() / "data/950000000.png");
+  fs::rename(camera() / "data/c.png", camera() / "data/2050000000.png");
+  auto body = open();
+  ASSERT_TRUE(body) << body.error().message;
+  EXPECT_NEAR(seconds((*body)->step({})->time.time_since_epoch()), 0.95, 1e-9) << "in the order of time";
+  EXPECT_NEAR(seconds((*body)->step({})->time.time_since_epoch()), 2.0, 1e-9);
+  EXPECT_THAT(warnings_, HasSubstr("data.csv: missing"));
+  fs::copy(camera() / "data/2050000000.png", camera() / "data/2050000000.pgm");
+  EXPECT_THAT(open().error().message, HasSubstr("another image has the same time"));
+  fs::remove_all(camera() / "data");
+  EXPECT_EQ(open().error().code, ErrorCode::not_found);
+  EXPECT_THAT(open().error().message, HasSubstr("data.csv"));
 }
 
 TEST_F(Recording, AMissingSensorIsNamed) {

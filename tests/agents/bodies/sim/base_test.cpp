@@ -10,7 +10,7 @@ namespace weft::agents::sim {
 namespace {
 
 Base base_of(const Site& site, const WheelErrors& wheels = {}) {
-  return Base(site.base, site.disturbances, site.boxes, wheels, site.robots[0].site_from_robot, Random(1));
+  return Base(site.base, site.disturbances, Solids(site), wheels, site.robots[0].site_from_robot, Random(1));
 }
 
 Site calm_site() {

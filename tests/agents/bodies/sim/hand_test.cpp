@@ -48,7 +48,7 @@ struct Drive {
 Drive drive(const std::vector<SitePoint>& line, const Site& site, std::uint64_t seed) {
   auto hand = Hand::along(line, site, site.robots[0].site_from_robot, Random(seed));
   EXPECT_TRUE(hand) << hand.error().message;
-  Base base(site.base, site.disturbances, site.boxes, {}, site.robots[0].site_from_robot, Random(seed));
+  Base base(site.base, site.disturbances, Solids(site), {}, site.robots[0].site_from_robot, Random(seed));
   Drive done;
   while (!(hand->at_end() && base.at_rest()) && done.duration_s < 120.0) {
     const Pose2 before = base.site_from_robot();

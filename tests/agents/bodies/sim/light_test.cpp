@@ -48,6 +48,16 @@ TEST_F(LightOn, ALampThatHasFailedGivesNeitherLightNorShine) {
   EXPECT_EQ(at(kMirrorX, 0.0F).gain, 0.0F);
 }
 
+TEST_F(LightOn, ALampThatHasEndedIsAsOneThatHasFailed) {
+  site_.lamps.front().ends_s = 5.0;
+  const Lit before = at(1.0F, 0.2F, 4.9);
+  const Lit after = at(1.0F, 0.2F, 5.0);
+  site_.lamps.front().ends_s = 100.0;
+  EXPECT_EQ(at(1.0F, 0.2F, 5.0).gain, before.gain);
+  site_.change.lamps_failed = 1.0;
+  EXPECT_EQ(at(1.0F, 0.2F, 5.0).gain, after.gain);
+}
+
 TEST_F(LightOn, GlareIsASpotWhereTheLampIsMirrored) {
   EXPECT_EQ(at(kMirrorX, 0.0F).shine, 0.0F);
   const float gain = at(kMirrorX, 0.0F).gain;

@@ -41,6 +41,30 @@ std::vector<SitePoint> line_from(const std::string& path) {
   return line;
 }
 
+/// Fills a rectangle about a pose, its length along the heading.
+void fill_rectangle(cairo_t* cr, const Pose2& middle, double length_m, double width_m) {
+  cairo_save(cr);
+  cairo_translate(cr, middle.x, middle.y);
+  cairo_rotate(cr, middle.heading);
+  cairo_rectangle(cr, -length_m / 2, -width_m / 2, length_m, width_m);
+  cairo_fill(cr);
+  cairo_restore(cr);
+}
+
+/// Draws where cameras see nothing, and what stands in the way for a while.
+void draw_hindrances(cairo_t* cr, const sim::Site& site) {
+  for (const sim::Blackout& blackout : site.blackouts) {
+    if (!blackout.near) continue;
+    cairo_set_source_rgb(cr, 0.8, 0.8, 0.95);
+    cairo_arc(cr, blackout.near->x, blackout.near->y, blackout.near->radius_m, 0, 7);
+    cairo_fill(cr);
+  }
+  for (const sim::Obstacle& obstacle : site.obstacles) {
+    cairo_set_source_rgb(cr, 0.9, 0.6, 0.3);
+    fill_rectangle(cr, obstacle.site_from_obstacle, obstacle.length_m, obstacle.width_m);
+  }
+}
+
 void draw_site(const sim::Site& site, const std::vector<std::vector<SitePoint>>& lines, const std::string& path) {
   constexpr double kPerMetre = 50.0;
   const auto& floor = site.floor;
@@ -52,14 +76,11 @@ void draw_site(const sim::Site& site, const std::vector<std::vector<SitePoint>>&
   cairo_paint(cr);
   cairo_translate(cr, (0.5 - floor.x_min) * kPerMetre, height - (0.5 - floor.y_min) * kPerMetre);
   cairo_scale(cr, kPerMetre, -kPerMetre);
+  draw_hindrances(cr, site);
   for (const sim::Box& box : site.boxes) {
-    cairo_save(cr);
-    cairo_translate(cr, box.site_from_box.x, box.site_from_box.y);
-    cairo_rotate(cr, box.site_from_box.heading);
-    cairo_rectangle(cr, -box.length_m / 2, -box.width_m / 2, box.length_m, box.width_m);
-    cairo_set_source_rgb(cr, 0.6, 0.6, 0.65);
-    cairo_fill(cr);
-    cairo_restore(cr);
+    const double grey = box.has_signs ? 0.6 : 0.85;  // plain walls are pale
+    cairo_set_source_rgb(cr, grey, grey, grey + 0.05);
+    fill_rectangle(cr, box.site_from_box, box.length_m, box.width_m);
   }
   for (const sim::Lamp& lamp : site.lamps) {
     cairo_arc(cr, lamp.x, lamp.y, 0.12, 0, 7);

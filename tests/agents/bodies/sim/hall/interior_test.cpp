@@ -93,6 +93,60 @@ TEST(Stock, StandsWithinItsRack) {
   }
 }
 
+TEST(Interior, ARackThatIsLikeAnotherShowsTheSame) {
+  Site site = empty_site();
+  site.boxes.push_back(rack());
+  const std::size_t first = interior_of(site).size();
+  Box other = rack();
+  other.name = "another rack";
+  other.like = rack().name;
+  other.site_from_box = {12.0, 2.0, -1.0};
+  site.boxes.push_back(other);
+  const std::vector<Quad> quads = interior_of(site);
+  site.boxes.clear();
+  const std::size_t without = interior_of(site).size();
+  ASSERT_EQ(quads.size() - first, first - without);
+  for (std::size_t i = 0; i < first - without; ++i) {
+    const Quad& here = quads[without + i];
+    const Quad& there = quads[first + i];
+    EXPECT_EQ(there.pattern, here.pattern);
+    EXPECT_EQ(there.grey, here.grey);
+    EXPECT_NEAR(there.across.norm(), here.across.norm(), 1e-5F);
+    const auto in_rack = [](const Quad& quad, const Box& box) {
+      const Eigen::Vector3d p = quad.at(0.5F, 0.5F).cast<double>();
+      const Eigen::Vector2d on_floor = box.site_from_box.inverse() * Eigen::Vector2d(p.x(), p.y());
+      return Eigen::Vector3d(on_floor.x(), on_floor.y(), p.z());
+    };
+    EXPECT_NEAR((in_rack(there, other) - in_rack(here, rack())).norm(), 0.0, 1e-4);
+  }
+}
+
+/// Returns what is seen of one wall in an empty hall: panels and signs.
+std::vector<Quad> seen_of_wall(double contrast, bool has_signs) {
+  Site site = empty_site();
+  const std::size_t without = interior_of(site).size();
+  Box wall{Box::Kind::wall, "wall", {10.0, 6.0, 0.0}, 12.0, 0.2, 4.0};
+  wall.contrast = contrast;
+  wall.has_signs = has_signs;
+  site.boxes.push_back(wall);
+  std::vector<Quad> quads = interior_of(site);
+  quads.erase(quads.begin(), quads.begin() + static_cast<std::ptrdiff_t>(without));
+  return quads;
+}
+
+TEST(Interior, APlainWallHasNoSignsAndOthersHaveThemInFullContrast) {
+  for (const Quad& quad : seen_of_wall(0.02, false)) {
+    EXPECT_EQ(quad.stuff, Stuff::wall);
+    EXPECT_FLOAT_EQ(quad.contrast, 0.02F);
+  }
+  int signs = 0;
+  for (const Quad& quad : seen_of_wall(0.2, true)) {
+    signs += quad.stuff == Stuff::sign ? 1 : 0;
+    EXPECT_FLOAT_EQ(quad.contrast, quad.stuff == Stuff::sign ? 1.0F : 0.2F);
+  }
+  EXPECT_GT(signs, 3);
+}
+
 TEST(Interior, WhoStandsInTheHallSeesNoWayOut) {
   Site site = empty_site();
   site.boxes.push_back(rack());

@@ -67,6 +67,7 @@ TEST(ShadeFace, BothBuildsGiveTheSameNumbers) {
     }
     for (float& light : face.light) light = static_cast<float>(random.uniform(0.0, 3.0));
     face.at_u = static_cast<float>(random.uniform(-500.0, 500.0));
+    face.ground = round % 3 == 0 ? 0.0F : static_cast<float>(random.uniform(0.0, 120.0));
     const float headlight = round % 2 == 0 ? 0.0F : 1.5F;
     plain::shade_face(rays.at(face, headlight));
     const std::array<float, kShaded> one = rays.grey;
@@ -97,6 +98,17 @@ TEST(ShadeFace, BeyondItsRimATextureIsMirrored) {
   face.per_u = -64.0F;  // the same texel, seen from the other side of x = 0
   plain::shade_face(rays.at(face));
   EXPECT_FLOAT_EQ(rays.grey[0], within);
+}
+
+TEST(ShadeFace, WhatLiesUnderTheTextureIsLitAsItIs) {
+  const Texture texture(1, {100});
+  ShadedFace face = face_of(texture);
+  face.grey = 0.25F;
+  face.ground = 60.0F;
+  std::fill(std::begin(face.light), std::end(face.light), 2.0F);
+  Rays rays = ahead(0.5F, 0.5F, 1.0F);
+  plain::shade_face(rays.at(face));
+  EXPECT_FLOAT_EQ(rays.grey[0], 2.0F * (60.0F + 25.0F));
 }
 
 TEST(ShadeFace, LightLiesBetweenItsCorners) {
