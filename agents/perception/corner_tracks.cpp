@@ -11,6 +11,7 @@
 #include "agents/perception/harris.hpp"
 #include "agents/perception/opencv_view.hpp"
 #include "agents/perception/tracking_levels.hpp"
+#include "agents/perception/tracking_target.hpp"
 
 namespace weft::agents {
 
@@ -64,16 +65,30 @@ Eigen::Matrix2d structure_at(const TrackingImage& image, const Eigen::Vector2d& 
   return sum * per_pixel * per_pixel / pixels;
 }
 
-}  // namespace
-
-TrackingImage prepare_tracking(const Image& image, int window_px, int levels) {
+TrackingImage with_levels(const cv::Mat& flat, int window_px, int levels, bool has_gradients) {
   const auto prepared = std::make_shared<TrackingImage::Levels>();
   prepared->window_px = window_px;
-  prepared->image = flattened(as_mat(image), window_px);
-  prepared->top = cv::buildOpticalFlowPyramid(prepared->image, prepared->pyramid, {window_px, window_px}, levels);
+  prepared->has_gradients = has_gradients;
+  prepared->top = cv::buildOpticalFlowPyramid(flat, prepared->pyramid, {window_px, window_px}, levels, has_gradients);
   // The pyramid holds copies, with borders; the first level serves for corners, so the view may go.
   prepared->image = prepared->pyramid.front();
   return TrackingImage(prepared);
+}
+
+}  // namespace
+
+TrackingImage prepare_tracking(const Image& image, int window_px, int levels) {
+  return with_levels(flattened(as_mat(image), window_px), window_px, levels, true);
+}
+
+TrackingImage prepare_target(const Image& image, int window_px, int levels) {
+  return with_levels(flattened(as_mat(image), window_px), window_px, levels, false);
+}
+
+TrackingImage with_gradients(const TrackingImage& image) {
+  const TrackingImage::Levels& levels = image.levels();
+  if (levels.has_gradients) return image;
+  return with_levels(levels.image, levels.window_px, levels.top, true);
 }
 
 namespace {

@@ -71,6 +71,18 @@ cv::Mat1b drawn(const std::vector<Blot>& blots, const CameraModel& camera, const
   return image;
 }
 
+/// Returns grey levels with noise of that sigma, rounded.
+Image noisy(cv::Mat grey, double sigma, std::uint64_t seed) {
+  cv::RNG random(seed);
+  cv::Mat noise(grey.size(), CV_32F);
+  random.fill(noise, cv::RNG::NORMAL, 0.0, sigma);
+  grey += noise;
+  const auto pixels = std::make_shared<Bytes>(static_cast<std::size_t>(grey.total()));
+  cv::Mat out(grey.size(), CV_8U, pixels->data());
+  grey.convertTo(out, CV_8U);
+  return {grey.cols, grey.rows, pixels};
+}
+
 }  // namespace
 
 double noise_of(const Image& image) {
@@ -102,15 +114,14 @@ Image revisited_view(const Image& image, const CameraModel& camera, const OtherL
     cv::GaussianBlur(worn, worn, {}, soft_px);
     floor += worn;
   }
-  cv::RNG random(look.seed);
-  cv::Mat noise(floor.size(), CV_32F);
   // Interpolation leaves the image's noise nearly whole in the coarser half of what features are made of.
-  random.fill(noise, cv::RNG::NORMAL, 0.0, noise_of(image) * std::sqrt(1.0 - look.light * look.light));
-  floor += noise;
-  const auto pixels = std::make_shared<Bytes>(static_cast<std::size_t>(floor.total()));
-  cv::Mat out(floor.size(), CV_8U, pixels->data());
-  floor.convertTo(out, CV_8U);
-  return {image.width, image.height, pixels};
+  return noisy(floor, noise_of(image) * std::sqrt(1.0 - look.light * look.light), look.seed);
+}
+
+Image darker(const Image& image, double light, std::uint64_t seed) {
+  cv::Mat grey;
+  as_mat(image).convertTo(grey, CV_32F, light);
+  return noisy(grey, noise_of(image) * std::sqrt(1.0 - light * light), seed);
 }
 
 }  // namespace weft::agents

@@ -22,6 +22,10 @@ struct OtherLook {
 /// where the image is smoothest; what texture there is counts as noise. The image is whole.
 double noise_of(const Image& image);
 
+/// Returns the image in so much less light (a factor on the grey levels; (0, 1]), with as much noise as it has. The
+/// image is whole. Pure.
+Image darker(const Image& image, double light, std::uint64_t seed);
+
 /// Returns the image that a camera of that calibration would have taken: the floor warped as a plane, worn, in that
 /// light, with as much noise as the image has. Floor beyond the image's rim is filled by mirroring the image there:
 /// it is other floor, but not blank. The image is whole and of the camera's size. Pure.

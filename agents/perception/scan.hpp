@@ -25,6 +25,7 @@ struct Beam {
 struct Scan {
   Pose2 robot_from_scan;
   std::vector<Beam> beams;
+  double clear_from_m = 0.0;  ///< nearer than this a low thing is out of view: no ray tells that nothing stands there
 };
 
 }  // namespace weft::agents

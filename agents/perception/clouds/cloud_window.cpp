@@ -1,5 +1,6 @@
 #include "agents/perception/clouds/cloud_window.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -83,10 +84,12 @@ PlaceCloud CloudWindow::snapshot(const Pose3& odometry_from_place) const {
     const Pose3 place_from_robot = place_from_odometry * frame.odometry_from_robot;
     voxels.add(frame, static_cast<std::uint16_t>(cloud.cameras.size()), place_from_robot);
     cloud.place_from_frames.push_back(place_from_robot);
+    cloud.clear_bearings.push_back(frame.clear_bearings);
     cloud.cameras.emplace_back((place_from_robot * frame.camera_in_robot.cast<double>()).cast<float>());
   }
+  const std::size_t least = std::min<std::size_t>(config_.least_frames, frames_.size());
   for (const Voxel& voxel : voxels.voxels()) {
-    if (static_cast<unsigned>(std::popcount(voxel.frames)) < config_.least_frames) continue;
+    if (static_cast<std::size_t>(std::popcount(voxel.frames)) < least) continue;
     cloud.points.emplace_back((voxel.points / voxel.weight).cast<float>());
     cloud.frames.push_back(voxel.nearest_frame);
   }

@@ -15,7 +15,9 @@ struct CloudWindowConfig {
   double spacing_m = 0.12;     ///< a frame is taken this far from the last one,
   double spacing_rad = 0.175;  ///< or turned by this much
   double voxel_m = 0.05;
-  unsigned least_frames = 2;  ///< that must have hit a voxel: pixels that fly between two surfaces hardly meet twice
+  /// Sets how many frames must have hit a voxel, or all where there are fewer: pixels that fly between two surfaces
+  /// hardly meet twice, but a robot that stands has one frame alone.
+  unsigned least_frames = 2;
   double most_blind_m = 0.3;  ///< frames from before a longer blind stretch are dropped
 };
 
@@ -24,14 +26,16 @@ struct SeenFrame {
   Pose3 odometry_from_robot;
   std::vector<Eigen::Vector3f> points_in_robot;  ///< one that is not finite met nothing
   Eigen::Vector3f camera_in_robot = Eigen::Vector3f::Zero();
+  std::uint64_t clear_bearings = 0;  ///< a bit for each part of its view in which nothing stood within range
 };
 
 /// Holds the points around a place, each with the index of the frame that saw it from nearest. In the place's frame.
 struct PlaceCloud {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint16_t> frames;
-  std::vector<Pose3> place_from_frames;  ///< where the robot stood
-  std::vector<Eigen::Vector3f> cameras;  ///< where each frame's camera stood
+  std::vector<Pose3> place_from_frames;            ///< where the robot stood
+  std::vector<Eigen::Vector3f> cameras;            ///< where each frame's camera stood
+  std::vector<std::uint64_t> clear_bearings = {};  ///< of each frame, as in SeenFrame; empty: nobody says
 
   FramedCloud framed(const DepthNoise& noise) const { return {points, frames, cameras, noise}; }
 };

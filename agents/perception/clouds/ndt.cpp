@@ -66,31 +66,6 @@ Vector6d step_down(const NdtCost& cost, double cell_m) {
   return longest > 1.0 ? Vector6d(step / longest) : step;
 }
 
-/// Goes down the cost on one level. Returns the pose where it ends.
-Pose3 descend(const NdtLevel& a, const NdtLevel& b, const Pose3& start, const Prior& prior, const NdtConfig& config) {
-  const auto cost_at = [&](const Pose3& pose) {
-    return with_prior(ndt_cost(a, b, pose, config.cost, false), prior, pose);
-  };
-  Pose3 best = start;
-  NdtCost cost = cost_at(best);
-  const double lever_m = 4.0;  // of a radian, for when to end
-  const double still_m = kStillM * std::max(1.0, a.cell_m / 0.2);
-  for (int at = 0; at < config.most_steps; ++at) {
-    Vector6d step = step_down(cost, a.cell_m);
-    bool is_lower = false;
-    for (int halving = 0; halving <= kMostHalvings && !is_lower; ++halving, step *= 0.5) {
-      const Pose3 next = best * se3_exp(step);
-      const NdtCost there = cost_at(next);
-      is_lower = there.value < cost.value;
-      if (!is_lower) continue;
-      best = next;
-      cost = there;
-    }
-    if (!is_lower || 2.0 * (step.head<3>().norm() + lever_m * step.tail<3>().norm()) < still_m) break;
-  }
-  return best;
-}
-
 /// Holds the levels of both clouds that have cells of equal size, the finest first.
 struct Shared {
   std::vector<const NdtLevel*> a;
@@ -109,6 +84,44 @@ Shared shared_levels(const NdtMap& a, const NdtMap& b, std::size_t most) {
   return shared;
 }
 
+/// Returns the cost of a level's cells, and of those of the levels above that hold points which this one does not.
+NdtCost cost_of(const Shared& levels, std::size_t level, const Pose3& a_from_b, const NdtConfig& config,
+                bool is_last) {
+  NdtCost cost;
+  for (std::size_t at = level; at < levels.a.size(); ++at) {
+    const CellsOfB which = at == level ? CellsOfB::all : CellsOfB::finest;
+    cost += ndt_cost(*levels.a[at], *levels.b[at], a_from_b, config.cost, which, is_last);
+  }
+  return cost;
+}
+
+/// Goes down the cost on one level. Returns the pose where it ends.
+Pose3 descend(const Shared& levels, std::size_t level, const Pose3& start, const Prior& prior,
+              const NdtConfig& config) {
+  const double cell_m = levels.a[level]->cell_m;
+  const auto cost_at = [&](const Pose3& pose) {
+    return with_prior(cost_of(levels, level, pose, config, false), prior, pose);
+  };
+  Pose3 best = start;
+  NdtCost cost = cost_at(best);
+  const double lever_m = 4.0;  // of a radian, for when to end
+  const double still_m = kStillM * std::max(1.0, cell_m / 0.2);
+  for (int at = 0; at < config.most_steps; ++at) {
+    Vector6d step = step_down(cost, cell_m);
+    bool is_lower = false;
+    for (int halving = 0; halving <= kMostHalvings && !is_lower; ++halving, step *= 0.5) {
+      const Pose3 next = best * se3_exp(step);
+      const NdtCost there = cost_at(next);
+      is_lower = there.value < cost.value;
+      if (!is_lower) continue;
+      best = next;
+      cost = there;
+    }
+    if (!is_lower || 2.0 * (step.head<3>().norm() + lever_m * step.tail<3>().norm()) < still_m) break;
+  }
+  return best;
+}
+
 /// Holds where the descent ended, and the cost of the finest level's cells there, without the prior.
 struct Bottom {
   Pose3 a_from_b;
@@ -123,14 +136,14 @@ tl::expected<Bottom, NotRegistered> go_down(const NdtMap& a, const NdtMap& b, co
   if (levels.a.empty()) return refused("few_cells", 0.0, static_cast<double>(config.least_matched));
   Bottom bottom{prior.a_from_b, {}, 0.0, 0.0};
   for (std::size_t level = levels.a.size(); level-- > 0;) {
-    bottom.a_from_b = descend(*levels.a[level], *levels.b[level], bottom.a_from_b, prior, config);
+    bottom.a_from_b = descend(levels, level, bottom.a_from_b, prior, config);
   }
-  const NdtLevel& finest = *levels.b.front();
-  bottom.cost = ndt_cost(*levels.a.front(), finest, bottom.a_from_b, config.cost, true);
-  for (const NdtCell& cell : finest.cells) bottom.lever_m += cell.mean.squaredNorm();
-  const double count = std::max<double>(1.0, static_cast<double>(finest.cells.size()));
-  bottom.lever_m = std::sqrt(bottom.lever_m / count);
-  bottom.overlap = static_cast<double>(bottom.cost.matched) / count;
+  bottom.cost = cost_of(levels, 0, bottom.a_from_b, config, true);
+  const std::vector<NdtCell>& finest = levels.b.front()->cells;
+  for (const NdtCell& cell : finest) bottom.lever_m += cell.mean.squaredNorm();
+  bottom.lever_m = std::sqrt(bottom.lever_m / std::max<double>(1.0, static_cast<double>(finest.size())));
+  bottom.overlap =
+      static_cast<double>(bottom.cost.matched) / std::max<double>(1.0, static_cast<double>(bottom.cost.cells));
   if (!is_finite(bottom.a_from_b)) return refused("diverged", 0.0, 0.0);
   if (bottom.cost.matched < config.least_matched) {
     return refused("few_cells", static_cast<double>(bottom.cost.matched), static_cast<double>(config.least_matched));
@@ -196,7 +209,7 @@ OrNotRegistered register_from_guess(const NdtMap& a, const NdtMap& b, const Pose
   metres.diagonal().tail<3>().setConstant(1.0 / std::max(bottom->lever_m, 0.1));
   const Matrix6d information = metres * bottom->cost.trusted * metres;
   const double least = Eigen::SelfAdjointEigenSolver<Matrix6d>(information, Eigen::EigenvaluesOnly).eigenvalues()[0];
-  const double sigma_m = std::sqrt(config.inflation / std::max(least, 1e-9));
+  const double sigma_m = 1.0 / std::sqrt(std::max(least, 1e-9));
   if (sigma_m > config.slides_m) return refused("slides", sigma_m, config.slides_m);
   return Registered{{bottom->a_from_b, covariance_of(bottom->cost.information,
                                                      config.inflation * bottom->cost.scatter, Matrix6d::Zero())},

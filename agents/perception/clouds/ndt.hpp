@@ -15,7 +15,7 @@ struct NdtConfig {
   NdtCellConfig cells;
   NdtCostConfig cost;
   int most_steps = 12;             ///< of a level
-  double inflation = 5.0;          ///< of the covariance; NEES asked for 3 to 6 (docs/results/clouds.md)
+  double inflation = 60.0;         ///< of the covariance that the means' own gives: errors of neighbours are alike
   double least_overlap = 0.2;      ///< share of b's finest cells that must lie near one of a's
   std::size_t least_matched = 20;  ///< cells
   double slides_m = 0.05;          ///< most sigma in any direction without a prior; turns count by their lever

@@ -12,6 +12,7 @@ constexpr double kDenseShare = 0.5;
 /// Sums up what a cell's distribution is made of; sums of smaller cells add up to those of a larger one.
 struct CellSums {
   double count = 0.0;
+  bool has_smaller = false;  // cells that hold some of its points
   Eigen::Vector3d points = Eigen::Vector3d::Zero();
   Eigen::Vector3d cameras = Eigen::Vector3d::Zero();
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();  // lower triangle
@@ -26,6 +27,7 @@ struct CellSums {
   }
   void add(const CellSums& part) {
     count += part.count;
+    has_smaller = has_smaller || part.has_smaller;
     points += part.points;
     cameras += part.cameras;
     products += part.products;
@@ -75,49 +77,37 @@ bool is_dense(const Grid& grid, double least_points) {
   return dense >= kDenseShare * all;
 }
 
-/// Widens a spread along the ray of a cell to at least what depth is off by there.
-void widen_along_ray(Eigen::Matrix3d& spread, const Eigen::Vector3d& from_camera, const DepthNoise& noise) {
+/// Returns a spread widened along the ray of a cell to at least what depth is off by there.
+Eigen::Matrix3d widened(const Eigen::Matrix3d& spread, const Eigen::Vector3d& from_camera, const DepthNoise& noise) {
   const double range_m = from_camera.norm();
   const double sigma_m = noise.sigma_m(range_m);
-  if (sigma_m <= 0.0 || range_m <= 0.0) return;
+  if (sigma_m <= 0.0 || range_m <= 0.0) return spread;
   const Eigen::Vector3d ray = from_camera / range_m;
-  const double lacking = sigma_m * sigma_m - ray.dot(spread * ray);
-  if (lacking > 0.0) spread += lacking * ray * ray.transpose();
+  return spread + std::max(0.0, sigma_m * sigma_m - ray.dot(spread * ray)) * ray * ray.transpose();
 }
 
-/// Holds a spread's principal axes, the thinnest first.
-struct Axes {
-  Eigen::Vector3d variances;
-  Eigen::Matrix3d directions;
-
-  explicit Axes(const Eigen::Matrix3d& spread) {
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(spread);
-    variances = solver.eigenvalues();
-    directions = solver.eigenvectors();
-  }
-  Eigen::Matrix3d with(const Eigen::Vector3d& others) const {
-    return directions * others.asDiagonal() * directions.transpose();
-  }
-};
-
-/// Returns the variances of the surface that is matched to. Across it: the spread there, and what its tilt, which is
-/// as uncertain as the spread across is large beside that along, makes of the cell's own size.
-Eigen::Vector3d without_end(const Eigen::Vector3d& variances, double cell_m, const NdtCellConfig& config) {
-  const double along = config.along_surface * config.along_surface * cell_m * cell_m;
-  const double tilt = variances[0] / variances[1];
-  return {variances[0] + tilt * cell_m * cell_m / 12.0, along, along};
-}
-
+/// Returns the normal distribution of a cell's points. The normal is that of the points as they are: one of the
+/// widened spread leans to where a wall is seen from, in two clouds alike, as if it told how far along the wall is.
+/// The variance across the surface has what its tilt makes of the cell's own size; the tilt is as uncertain as the
+/// spread across is large beside that along.
 NdtCell cell_from(const CellSums& sums, double cell_m, const DepthNoise& noise, const NdtCellConfig& config) {
   const Eigen::Vector3d mean = sums.points / sums.count;
   const Eigen::Matrix3d products = sums.products.selfadjointView<Eigen::Lower>();
-  Eigen::Matrix3d spread = products / sums.count - mean * mean.transpose();
-  widen_along_ray(spread, mean - sums.cameras / sums.count, noise);
-  const Axes axes(spread);
-  const Eigen::Vector3d variances = axes.variances.cwiseMax(config.least_sigma_m * config.least_sigma_m);
-  return {mean, axes.with(variances), axes.with(without_end(variances, cell_m, config)), spread / sums.count,
-          config.tilt_share * variances[0] / variances[1]};
+  const Eigen::Matrix3d spread = products / sums.count - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+  axes.computeDirect(spread);
+  const Eigen::Vector3d normal = axes.eigenvectors().col(0);
+  const double least = config.least_sigma_m * config.least_sigma_m;
+  Eigen::Matrix3d covariance = widened(spread, mean - sums.cameras / sums.count, noise);
+  covariance.diagonal().array() += least;
+  const double across = normal.dot(covariance * normal);
+  const double tilt_variance = config.tilt_share * across / std::max(axes.eigenvalues()[1], least);
+  return {mean,
+          covariance,
+          normal,
+          across + tilt_variance * cell_m * cell_m / 12.0,
+          spread / sums.count,
+          !sums.has_smaller};
 }
 
 /// Returns whether depth is exact enough there for cells of this size.
@@ -126,14 +116,16 @@ bool is_thin(const CellSums& sums, double cell_m, const DepthNoise& noise, const
   return noise.sigma_m(range_m) <= config.thickest * cell_m;
 }
 
-NdtLevel level_from(const Grid& grid, const DepthNoise& noise, const NdtCellConfig& config) {
+/// Makes the cells of a grid, and notes in its sums which have become some.
+NdtLevel level_from(Grid& grid, const DepthNoise& noise, const NdtCellConfig& config) {
   NdtLevel level{grid.cell_m, grid.origin, CellTable(grid.table.size()), {}};
   level.cells.reserve(grid.sums.size());
   for (std::size_t number = 0; number < grid.sums.size(); ++number) {
-    const CellSums& sums = grid.sums[number];
+    CellSums& sums = grid.sums[number];
     if (sums.count < config.least_points || !is_thin(sums, grid.cell_m, noise, config)) continue;
     level.table.number_of(grid.table.cells()[number]);
     level.cells.push_back(cell_from(sums, grid.cell_m, noise, config));
+    sums.has_smaller = true;
   }
   return level;
 }

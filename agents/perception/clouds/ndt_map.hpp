@@ -13,19 +13,19 @@ struct NdtCellConfig {
   double finest_m = 0.2;         ///< edge of the smallest cells; each level above has them twice as large
   std::size_t levels = 3;        ///< used at once
   double least_points = 5.0;     ///< of a cell; fewer say nothing of a surface
-  double least_sigma_m = 0.015;  ///< across a surface: quantum, calibration, what is not plane
-  double thickest = 0.4;    ///< most depth noise of a cell, in its edges: a cell cuts a thicker surface in slices
-  double tilt_share = 0.5;  ///< variance of a surface's tilt, in its variance across by that along
-  double along_surface = 100.0;  ///< least sigma along the surface that is matched to, in edges of the cell
+  double least_sigma_m = 0.015;  ///< of a surface: quantum, calibration, what is not plane
+  double thickest = 0.6;    ///< most depth noise of a cell, in its edges: a cell cuts a thicker surface in slices
+  double tilt_share = 0.2;  ///< variance of a surface's tilt, in its variance across by that along
 };
 
-/// Holds the normal distribution of the points in one cell.
+/// Holds the normal distribution of the points in one cell, and the surface without an end that it is matched to as.
 struct NdtCell {
   Eigen::Vector3d mean;
   Eigen::Matrix3d covariance;       ///< of the points, at least as wide as depth is noisy
-  Eigen::Matrix3d surface;          ///< the same as it is matched to: without an end along the surface
+  Eigen::Vector3d normal;           ///< of the surface: the direction in which the points spread least
+  double across = 0.0;              ///< variance across the surface, m^2
   Eigen::Matrix3d mean_covariance;  ///< of the mean itself
-  double tilt_variance = 0.0;       ///< of the surface, rad^2
+  bool is_finest = true;            ///< no smaller cells hold its points
 };
 
 /// Holds all cells of one size that have enough points.
@@ -42,10 +42,10 @@ struct NdtMap {
 };
 
 /// Makes the cells of a cloud. Each covariance is widened along the ray from the camera to at least the depth noise
-/// there. Where a cell cuts a surface says nothing of where the surface is, so `surface` has no end along it: of two
-/// cells that are matched the one that stays is taken so. A cloud too sparse for the finest cells (less than half of
-/// its points in cells with enough of them) begins with larger ones. A floor at z = 0 lies within cells, not between
-/// two.
+/// there. Where a cell cuts a surface says nothing of where the surface is, so it is matched to as one without an
+/// end. Where points are too few or too noisy for the smaller cells, larger ones are `is_finest`. A cloud too sparse
+/// for the finest cells (less than half of its points in cells with enough of them) begins with larger ones. A floor
+/// at z = 0 lies within cells, not between two.
 NdtMap ndt_map(const FramedCloud& cloud, const NdtCellConfig& config);
 
 }  // namespace weft::agents

@@ -9,6 +9,8 @@
 #include <pcl/registration/gicp.h>
 #include <pcl/registration/ndt.h>
 #include <pcl/segmentation/sac_segmentation.h>
+// Compiled here: PCL's library of it loads that of its features, 42 MB of which nothing is called.
+#include <pcl/segmentation/impl/sac_segmentation.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -10,12 +10,22 @@ namespace {
 
 constexpr int kFarthest = 254;
 constexpr std::uint8_t kUnknown = 255;
-constexpr std::size_t kWidths = 32;
+constexpr std::size_t kWidths = 32;             // of obstacles; then as many of edges of a floor
 constexpr std::size_t kTwice = 5;               // so many widths farther it is twice as wide
 constexpr double kWiderBy = 1.148698354997035;  // the fifth root of 2: the last width is 74 cells
 
 double sigma_of(std::size_t width, double cell_m) {
   return cell_m * std::pow(kWiderBy, static_cast<double>(width));
+}
+
+/// Adds the log-likelihoods of ends of one kind and standard deviation: by code, that of unknown cells last.
+void add_logs_of(const LikelihoodConfig& config, double share, double sigma_m, double by_metre,
+                 std::vector<float>& logs) {
+  for (int code = 0; code <= kFarthest; ++code) {
+    const double off = code / by_metre / sigma_m;
+    logs.push_back(static_cast<float>(std::log(1.0 - share + share * std::exp(-0.5 * off * off))));
+  }
+  logs.push_back(static_cast<float>((1.0 - config.neutral) * std::log(1.0 - share)));
 }
 
 }  // namespace
@@ -34,21 +44,15 @@ LikelihoodField::LikelihoodField(const LikelihoodConfig& config, const Raster& r
           static_cast<std::uint8_t>(code);
     }
   }
-  const double stray = std::log(1.0 - config.hit_share);
-  for (std::size_t width = 0; width < kWidths; ++width) {
-    const double sigma_m = sigma_of(width, raster.cell_m);
-    for (int code = 0; code <= kFarthest; ++code) {
-      const double off = code / by_metre / sigma_m;
-      logs_.push_back(
-          static_cast<float>(std::log(1.0 - config.hit_share + config.hit_share * std::exp(-0.5 * off * off))));
-    }
-    logs_.push_back(static_cast<float>((1.0 - config.neutral) * stray));
-  }
+  for (const double share : {config.hit_share, config.edge_share})
+    for (std::size_t width = 0; width < kWidths; ++width)
+      add_logs_of(config, share, sigma_of(width, raster.cell_m), by_metre, logs_);
 }
 
-std::size_t LikelihoodField::width_of(double sigma_m) const {
-  const double steps = std::log(std::hypot(1.0, sigma_m / raster_.cell_m)) / std::log(kWiderBy);
-  return std::min(static_cast<std::size_t>(std::lround(std::max(0.0, steps))), kWidths - 1);
+std::size_t LikelihoodField::width_of(const Beam& beam) const {
+  const double steps = std::log(std::hypot(1.0, beam.sigma_m / raster_.cell_m)) / std::log(kWiderBy);
+  const std::size_t width = std::min(static_cast<std::size_t>(std::lround(std::max(0.0, steps))), kWidths - 1);
+  return beam.kind == Beam::Return::floor_edge ? kWidths + width : width;
 }
 
 std::vector<BeamEnd> LikelihoodField::ends_of(const Scan& scan) const {
@@ -62,13 +66,24 @@ std::vector<BeamEnd> LikelihoodField::ends_of(const Scan& scan) const {
     const Beam& beam = *returned[(2 * i + 1) * returned.size() / (2 * count)];
     const Eigen::Vector2d end = scan.robot_from_scan * Eigen::Vector2d(beam.range_m * std::cos(beam.bearing_rad),
                                                                        beam.range_m * std::sin(beam.bearing_rad));
-    ends.push_back({static_cast<float>(end.x()), static_cast<float>(end.y()), width_of(beam.sigma_m)});
+    ends.push_back({static_cast<float>(end.x()), static_cast<float>(end.y()), width_of(beam)});
   }
   return ends;
 }
 
+bool LikelihoodField::knows(const Pose2& map_from_robot, const BeamEnd& end) const {
+  const Cell cell = raster_.cell_at(map_from_robot * Eigen::Vector2d(double(end.x), double(end.y)));
+  if (!raster_.holds(cell)) return false;
+  const auto wide = static_cast<std::size_t>(raster_.columns) + 2;
+  return codes_[(static_cast<std::size_t>(cell.row) + 1) * wide + static_cast<std::size_t>(cell.column) + 1] !=
+         kUnknown;
+}
+
 void LikelihoodField::widen(std::vector<BeamEnd>& ends) {
-  for (BeamEnd& end : ends) end.width = std::min(end.width + kTwice, kWidths - 1);
+  for (BeamEnd& end : ends) {
+    const std::size_t widest = end.width < kWidths ? kWidths - 1 : 2 * kWidths - 1;
+    end.width = std::min(end.width + kTwice, widest);
+  }
 }
 
 void LikelihoodField::weigh(std::span<const BeamEnd> ends, const ParticleSet& particles,

@@ -29,6 +29,7 @@ std::vector<Error> check(const ParticleFilterConfig& config) {
   kld("least", config.kld.least, Low::closed, 10, config.kld.most);
   const auto likelihood = out.section("likelihood");
   likelihood("hit_share", config.likelihood.hit_share, Low::open, 0, 0.9999);
+  likelihood("edge_share", config.likelihood.edge_share, Low::open, 0, 0.9999);
   likelihood("beams", config.likelihood.beams, Low::closed, 1, 1000);
   likelihood("worth_beams", config.likelihood.worth_beams, Low::open, 0, 1000);
   likelihood("most_m", config.likelihood.most_m, Low::open, 0, 10);
@@ -89,27 +90,28 @@ MovedParticles ParticleFilter::predict(const UncertainMotion& motion) {
   return moved_by(resample(particles_, needed, random_), motion, random_);
 }
 
-ParticleUpdate ParticleFilter::update(const LikelihoodField& field, const Scan& scan, const DrawPose& anywhere) {
+ParticleUpdate ParticleFilter::update(const LikelihoodField& field, const Scan& scan, const DrawPose& anywhere,
+                                      const std::optional<ToldPose>& told) {
   const UncertainMotion motion = std::exchange(pending_, {});
   MovedParticles moved = predict(motion);
   is_new_ = false;
   ParticleUpdate update;
   std::vector<BeamEnd> ends = field.ends_of(scan);
-  if (!ends.empty()) {
-    ScanWeighing weighing(config_.blur, config_.kld, field, std::move(ends), motion.covariance);
+  if (!ends.empty() || told) {
+    ScanWeighing weighing(config_.blur, config_.kld, field, std::move(ends), motion.covariance, told);
     update.scan = weighing.weigh(moved, is_seeking_ ? config_.blur.seeking : 0, random_);
   }
   particles_ = std::move(moved.particles);
   settle();
-  if (update.scan.power > 0.0) renew(update, anywhere);
+  // A robot that is told where it is seeks nothing: what its scan does not know is new.
+  if (update.scan.power > 0.0) renew(update, told ? DrawPose() : anywhere);
   return update;
 }
 
 void ParticleFilter::renew(ParticleUpdate& update, const DrawPose& anywhere) {
-  const double injected = injected_share(update.scan.likelihood);
   const bool is_poor =
       effective_count(particles_.weight) < config_.resample_below * static_cast<double>(particles_.size());
-  update.injected = anywhere ? injected : 0.0;
+  if (anywhere && update.scan.likelihood > 0.0) update.injected = injected_share(update.scan.likelihood);
   is_seeking_ = update.injected > 0.0;
   if (!is_poor && !is_seeking_) return;
   particles_ =

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,8 +58,9 @@ class ParticleFilter {
   /// Returns whether enough was moved since the last update, or there was none.
   bool is_due() const;
   /// Moves the particles and weighs them by a scan; resamples when few are left that count. `anywhere` draws what is
-  /// injected when the filter seems to follow a wrong place; empty: nothing is.
-  ParticleUpdate update(const LikelihoodField& field, const Scan& scan, const DrawPose& anywhere);
+  /// injected when the filter seems to follow a wrong place; empty: nothing is. `told` weighs beside the scan.
+  ParticleUpdate update(const LikelihoodField& field, const Scan& scan, const DrawPose& anywhere,
+                        const std::optional<ToldPose>& told = std::nullopt);
 
   /// Returns where the robot is now: the estimate of the last update and what was moved since.
   ParticleEstimate estimate() const;

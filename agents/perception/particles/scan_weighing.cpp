@@ -1,5 +1,6 @@
 #include "agents/perception/particles/scan_weighing.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -37,18 +38,45 @@ double tempered_power(const std::vector<double>& before, std::span<const float> 
 }
 
 ScanWeighing::ScanWeighing(const BlurConfig& config, const KldConfig& cells, const LikelihoodField& field,
-                           std::vector<BeamEnd> ends, const Eigen::Matrix3d& covariance)
-    : config_(config), cells_(cells), field_(field), walk_(covariance) {
+                           std::vector<BeamEnd> ends, const Eigen::Matrix3d& covariance,
+                           const std::optional<ToldPose>& told)
+    : config_(config), cells_(cells), field_(field), walk_(covariance), told_(told) {
   widths_.push_back(std::move(ends));
+  if (told_) told_information_ = told_->covariance.inverse();
 }
 
-std::vector<float> ScanWeighing::logs_of(const ParticleSet& particles) const {
+std::vector<float> ScanWeighing::logs_of_beams(const ParticleSet& particles) const {
   const std::vector<BeamEnd>& ends = widths_.back();
   std::vector<float> logs(particles.size(), 0.0F);
+  if (ends.empty()) return logs;
   field_.weigh(ends, particles, logs);
   const double worth = std::min(1.0, field_.config().worth_beams / static_cast<double>(ends.size()));
   for (float& log : logs) log *= static_cast<float>(worth);
   return logs;
+}
+
+std::vector<float> ScanWeighing::logs_of(const ParticleSet& particles) const {
+  std::vector<float> logs = logs_of_beams(particles);
+  if (!told_) return logs;
+  const Pose2 told_from_chart = told_->chart_from_robot.inverse();
+  const double blurred = std::pow(0.25, static_cast<double>(widths_.size() - 1));
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    const Eigen::Vector3d off = se2_log(told_from_chart * particles.pose(i));
+    const double square = blurred * off.dot(told_information_ * off);
+    logs[i] += static_cast<float>(std::log(told_->stray + (1.0 - told_->stray) * std::exp(-0.5 * square)));
+  }
+  return logs;
+}
+
+double ScanWeighing::likelihood_of(const ParticleSet& particles) const {
+  if (widths_.back().empty()) return 0.0;
+  const std::vector<float> logs = told_ ? logs_of_beams(particles) : logs_;
+  const auto beams = static_cast<double>(widths_.back().size());
+  const double by_beam = std::max(1.0, beams / field_.config().worth_beams) / beams;
+  double likelihood = 0.0;
+  for (std::size_t i = 0; i < logs.size(); ++i)
+    likelihood += particles.weight[i] * std::exp(by_beam * static_cast<double>(logs[i]));
+  return likelihood;
 }
 
 double ScanWeighing::weigh_by(ParticleSet& particles, std::span<const float> logs) const {
@@ -95,10 +123,7 @@ ScanWeight ScanWeighing::weigh(MovedParticles& moved, int least_blurs, Random& r
   scan.blurs = blur(moved.particles, least_blurs);
   scan.power = weigh_by(moved.particles, logs_);
   while (widths_.size() > 1) scan.power = sharpen(moved, scan.power, random);
-  const auto beams = static_cast<double>(widths_.back().size());
-  const double by_beam = std::max(1.0, beams / field_.config().worth_beams) / beams;
-  for (std::size_t i = 0; i < logs_.size(); ++i)
-    scan.likelihood += moved.particles.weight[i] * std::exp(by_beam * static_cast<double>(logs_[i]));
+  scan.likelihood = likelihood_of(moved.particles);
   return scan;
 }
 

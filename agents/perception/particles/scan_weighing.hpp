@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,11 +23,20 @@ struct BlurConfig {
   int steps = 6;    ///< that particles walk at each width on the way back to the scan as it is; [0, 50]
 };
 
+/// Describes where something else than the scan sees the robot.
+struct ToldPose {
+  Pose2 chart_from_robot;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of xi in chart_from_robot * se2_exp(xi)
+  double stray = 1e-3;  ///< likelihood left far off from it, over that at its middle: it may be wrong; (0, 1)
+};
+
 /// Tells how a scan counted.
 struct ScanWeight {
-  double likelihood = 0.0;  ///< geometric mean of a beam's over the scan, mean over the particles weighed; (0, 1]
-  double power = 0.0;       ///< with which the scan counted in the end
-  int blurs = 0;            ///< how many times beams became twice as wide at first
+  /// Is the geometric mean of a beam's likelihood over the scan, mean over the particles weighed; (0, 1]. 0: there
+  /// was no beam.
+  double likelihood = 0.0;
+  double power = 0.0;  ///< with which the scan counted in the end
+  int blurs = 0;       ///< how many times beams became twice as wide at first
 };
 
 /// Weighs particles by one scan, from coarse to fine (annealing as Deutscher, Blake & Reid 2000 do it): where too few
@@ -34,15 +45,20 @@ struct ScanWeight {
 /// alone have it, and not blurred.
 class ScanWeighing {
  public:
-  /// `ends` has one at least. `covariance` is that of the motion since the scan before.
+  /// `ends` has one at least, unless a pose is told. `covariance` is that of the motion since the scan before. What
+  /// is told weighs with the scan, and is blurred with it.
   ScanWeighing(const BlurConfig& config, const KldConfig& cells, const LikelihoodField& field,
-               std::vector<BeamEnd> ends, const Eigen::Matrix3d& covariance);
+               std::vector<BeamEnd> ends, const Eigen::Matrix3d& covariance,
+               const std::optional<ToldPose>& told = std::nullopt);
 
   /// Weighs the particles, beginning with so many blurs at least.
   ScanWeight weigh(MovedParticles& moved, int least_blurs, Random& random);
 
  private:
+  /// Returns what the beams alone say, as much as they are worth.
+  std::vector<float> logs_of_beams(const ParticleSet& particles) const;
   std::vector<float> logs_of(const ParticleSet& particles) const;
+  double likelihood_of(const ParticleSet& particles) const;
   /// Makes beams wider until enough particles count; returns how many times.
   int blur(const ParticleSet& particles, int least_blurs);
   /// Resamples, walks by the width in use, to a power, and weighs by the one before; returns the power of that.
@@ -55,6 +71,8 @@ class ScanWeighing {
   const LikelihoodField& field_;
   std::vector<std::vector<BeamEnd>> widths_;  ///< of the beams, the one in use last
   PosteriorWalk walk_;
+  std::optional<ToldPose> told_;
+  Eigen::Matrix3d told_information_ = Eigen::Matrix3d::Zero();
   std::vector<float> logs_;  ///< of the particles, by the width in use
 };
 

@@ -49,7 +49,8 @@ double density(const DisparityMap& map);
 /// Matches a rectified pair: the census of 5x5 neighbours, semi-globally along four paths; what is ambiguous, not
 /// seen by the right camera, without texture, or a speckle has no disparity. Both images are whole and of one size,
 /// from 16x16 up; `config` is sound. Refuses "too_dark" (both images), "covered" (one image shows far less than the
-/// other), "decorrelated" (what has texture is not found in the other image: one is late, or something hides it).
+/// other), "too_near" (much of what has texture lies nearer than is searched; measured: its disparity in the median),
+/// "decorrelated" (what has texture is not found in the other image: one is late, or something hides it).
 OrUnseen<DisparityMap> match_disparity(const DisparityConfig& config, const StereoPair& rectified);
 
 /// Holds a point that a pair sees.

@@ -35,8 +35,8 @@ Eigen::Vector2d coarse_match(const Rectifier& rectifier, const TrackingImage::Le
                              const Eigen::Vector2d& rectified, double most_px) {
   const int level = std::min({kCoarse, left.top, right.top});
   const int scale = 1 << level;
-  const cv::Mat& from = left.pyramid[static_cast<std::size_t>(2 * level)];
-  const cv::Mat& to = right.pyramid[static_cast<std::size_t>(2 * level)];
+  const cv::Mat& from = left.level(level);
+  const cv::Mat& to = right.level(level);
   const auto pixel_of = [scale](const Eigen::Vector2d& pixel) {
     return cv::Point(static_cast<int>(std::lround(pixel.x() / scale)),
                      static_cast<int>(std::lround(pixel.y() / scale)));

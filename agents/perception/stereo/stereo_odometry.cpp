@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "agents/perception/robust.hpp"
+#include "agents/perception/tracking_target.hpp"
 
 namespace weft::agents {
 namespace {
@@ -31,18 +32,24 @@ class StereoOdometry::View {
     if (!right_) right_ = prepared(config_, taken_right_);
     return right_;
   }
+  /// Returns the left image as it is tracked from.
+  const TrackingImage& left_with_gradients() {
+    if (!left_with_gradients_) left_with_gradients_ = with_gradients(left);
+    return left_with_gradients_;
+  }
 
   const Duration elapsed;
   const TrackingImage left;
 
  private:
   static TrackingImage prepared(const StereoOdometryConfig& config, const Image& image) {
-    return prepare_tracking(image, config.window_px, config.pyramid_levels);
+    return prepare_target(image, config.window_px, config.pyramid_levels);
   }
 
   const StereoOdometryConfig& config_;
   const Image& taken_right_;
   TrackingImage right_;
+  TrackingImage left_with_gradients_;
 };
 
 StereoOdometry::StereoOdometry(const StereoOdometryConfig& config, Rectifier rectifier)
@@ -65,7 +72,7 @@ Pose3 StereoOdometry::robot_step_of(const Pose3& camera_step) const {
 }
 
 std::optional<StereoKeyframe> StereoOdometry::keyframe_of(View& view, std::size_t fewest) const {
-  StereoKeyframe keyframe = begin_keyframe(config_, rectifier_, view.left, view.right());
+  StereoKeyframe keyframe = begin_keyframe(config_, rectifier_, view.left_with_gradients(), view.right());
   if (keyframe.corners.size() < fewest) return std::nullopt;
   return keyframe;
 }
@@ -99,8 +106,9 @@ OrUnseen<SeenMotion> StereoOdometry::seen_from(StereoKeyframe& keyframe, View& v
   OrUnseen<ComparedView> compared = this->compared(keyframe, view, camera_rate);
   if (!compared) return tl::unexpected(compared.error());
   const bool is_worn = this->is_worn(keyframe, *compared);
-  const PoseFit fit =
-      is_worn ? fit_with_right(config_, rectifier_, *compared, view.left, view.right()) : compared->fit;
+  const PoseFit fit = is_worn
+                          ? fit_with_right(config_, rectifier_, *compared, view.left_with_gradients(), view.right())
+                          : compared->fit;
   const Pose3 from_now = fit.b_from_a.inverse();
   const Pose3 since_seen = keyframe.from_seen.inverse() * from_now;
   if (is_possible &&

@@ -53,7 +53,7 @@ class StereoOdometry {
   void assume(State& state, const Metric3& previous_from_current, Duration elapsed) const;
 
  private:
-  /// Holds the view that is looked at; its right image is prepared when it is needed.
+  /// Holds the view that is looked at; what only some views need is prepared when it is needed.
   class View;
 
   StereoOdometry(const StereoOdometryConfig& config, Rectifier rectifier);

@@ -20,7 +20,7 @@ struct StereoOdometryConfig {
   std::size_t fewest_inliers = 20;    ///< [6, 1000]
   double fewest_inliers_share = 0.3;  ///< [0, 1] of the corners that were found again
   double least_spread = 0.06;         ///< [0, 0.3] root of the area that inliers cover, of the image's
-  double most_residual_px = 1.0;      ///< [0.1, 10] RMS of the inliers'
+  double most_residual_px = 1.0;      ///< [0.1, 10] RMS of the inliers', less what disparities' noise makes of it
   PairLightBounds light{};
   // When a view becomes the keyframe
   double keyframe_share = 0.6;    ///< [0.1, 0.95] fewer of the keyframe's corners are inliers

@@ -86,7 +86,8 @@ int draws_for(double share) {
 /// Holds what one point has to say of a pose: column, row and disparity at b.
 struct PointResidual {
   bool is_ahead = false;
-  int rows = 2;  ///< 3: its disparity is known
+  double disparity_off_px = 0.0;  ///< what the view makes of the disparity at a, less what was measured there
+  int rows = 2;                   ///< 3: its disparity is known
   Eigen::Vector3d off_px = Eigen::Vector3d::Zero();
   Eigen::Matrix<double, 3, 6> by_xi = Eigen::Matrix<double, 3, 6>::Zero();  ///< of what is predicted
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -95,10 +96,14 @@ struct PointResidual {
   double sigmas() const { return std::sqrt(std::max(0.0, 2.0 / rows * off_px.dot(information * off_px))); }
 };
 
+/// Returns what the point says. `disparity_off_px`: as the last look at it has left that; the point is taken to be
+/// where it says, or noise of disparities would make motions too short (errors in variables).
 PointResidual residual_of(const StereoRig& rig, const SeenPoint& point, const PoseBounds& bounds,
-                          const Pose3& b_from_a) {
+                          const Pose3& b_from_a, double disparity_off_px) {
   PointResidual residual;
-  const Eigen::Vector3d in_b = b_from_a * point.in_a;
+  const double disparity_at_a = point.disparity_px + disparity_off_px;
+  const Eigen::Vector3d in_a = point.in_a * (point.disparity_px / disparity_at_a);
+  const Eigen::Vector3d in_b = b_from_a * in_a;
   if (in_b.z() < kNearestM) return residual;
   residual.is_ahead = true;
   const double per_m = rig.focal_px / in_b.z();
@@ -113,20 +118,28 @@ PointResidual residual_of(const StereoRig& rig, const SeenPoint& point, const Po
   residual.by_xi.leftCols<3>() = -by_point;
   for (int axis = 0; axis < 3; ++axis)
     residual.by_xi.col(3 + axis) = by_point * in_b.cross(Eigen::Vector3d::Unit(axis));
-  const Eigen::Vector3d by_disparity =
-      by_point * (b_from_a.rotation * Eigen::Vector3d(-point.in_a / point.disparity_px));
+  const Eigen::Vector3d by_disparity = by_point * (b_from_a.rotation * Eigen::Vector3d(-in_a / disparity_at_a));
   const double track2 = bounds.track_sigma_px * bounds.track_sigma_px;
   const double disparity2 = bounds.disparity_sigma_px * bounds.disparity_sigma_px;
   Eigen::Matrix3d covariance = disparity2 * by_disparity * by_disparity.transpose();
   covariance.diagonal() += Eigen::Vector3d(track2, track2, disparity2);
-  if (!point.disparity_at_b_px) {
+  if (point.disparity_at_b_px) {
+    residual.rows = 3;
+    residual.off_px.z() = *point.disparity_at_b_px - disparity;
+    residual.information = covariance.inverse();
+  } else {
     residual.information.topLeftCorner<2, 2>() = covariance.topLeftCorner<2, 2>().inverse();
-    return residual;
   }
-  residual.rows = 3;
-  residual.off_px.z() = *point.disparity_at_b_px - disparity;
-  residual.information = covariance.inverse();
+  // Against where the measured disparity would be, to the first order.
+  residual.off_px += disparity_off_px * by_disparity;
+  residual.disparity_off_px = disparity2 * by_disparity.dot(residual.information * residual.off_px);
   return residual;
+}
+
+/// Returns what is taken of a point's last look to the next one: nothing of one that says too much.
+double carried_over_px(const SeenPoint& point, const PointResidual& before) {
+  constexpr double most = 0.5;  // of the disparity
+  return std::abs(before.disparity_off_px) < most * point.disparity_px ? before.disparity_off_px : 0.0;
 }
 
 /// Returns how much larger residuals are than their sigmas say, at least 1: a median of two-dimensional ones.
@@ -187,7 +200,8 @@ std::optional<PoseFit> fit_pose(const StereoRig& rig, const std::vector<SeenPoin
   Normal normal;
   double scale = 1.0;
   for (int step = 0; step < most_steps; ++step) {
-    for (std::size_t i = 0; i < points.size(); ++i) residuals[i] = residual_of(rig, points[i], bounds, fit.b_from_a);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      residuals[i] = residual_of(rig, points[i], bounds, fit.b_from_a, carried_over_px(points[i], residuals[i]));
     scale = scale_of(residuals);
     normal = {};
     for (const PointResidual& residual : residuals) {
@@ -203,17 +217,18 @@ std::optional<PoseFit> fit_pose(const StereoRig& rig, const std::vector<SeenPoin
   }
   fit.covariance = scale * scale * normal.information.ldlt().solve(Matrix6d::Identity());
   double squares = 0.0;
-  for (const SeenPoint& point : points) {
-    const PointResidual residual = residual_of(rig, point, bounds, fit.b_from_a);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PointResidual residual =
+        residual_of(rig, points[i], bounds, fit.b_from_a, carried_over_px(points[i], residuals[i]));
     const bool is_inlier = residual.is_ahead && residual.sigmas() < cut * scale &&
                            residual.off_px.head<2>().norm() < 2.0 * bounds.within_px;
     fit.is_inlier.push_back(is_inlier);
     if (!is_inlier) continue;
     ++fit.inliers;
-    squares += residual.off_px.head<2>().squaredNorm();
+    squares += residual.sigmas() * residual.sigmas();
   }
   if (fit.inliers < 6) return std::nullopt;
-  fit.residual_px = std::sqrt(squares / static_cast<double>(fit.inliers));
+  fit.residual_px = bounds.track_sigma_px * std::sqrt(squares / static_cast<double>(fit.inliers));
   return fit;
 }
 

@@ -39,11 +39,11 @@ struct PoseFit {
   Matrix6d covariance = Matrix6d::Zero();  ///< of xi in a_from_b * se3_exp(xi)
   std::vector<bool> is_inlier;
   std::size_t inliers = 0;
-  double residual_px = 0.0;  ///< RMS of the inliers'
+  double residual_px = 0.0;  ///< RMS of the inliers', less what the disparities' noise makes of it
 };
 /// Fits the pose to all points from `start` on by Gauss-Newton with Tukey's weights. A point counts by its pixel's
 /// noise, by its disparity's at b where that is known, and by what its disparity's at a makes of it there: the
-/// further b is from a, the more it moves along its ray.
+/// further b is from a, the more it moves along its ray. Points are fitted along their rays with the pose.
 /// None: fewer than six count, or the points leave a direction open.
 std::optional<PoseFit> fit_pose(const StereoRig& rig, const std::vector<SeenPoint>& points, const PoseBounds& bounds,
                                 const Pose3& start);

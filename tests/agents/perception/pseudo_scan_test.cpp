@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/random.hpp"
 
 namespace weft::agents {
 namespace {
@@ -13,7 +16,7 @@ using Points = std::vector<Eigen::Vector3f>;
 /// Adds a column of points at a bearing and a range, from low to high.
 void stand(Points& points, double bearing_rad, double range_m, double low_m, double high_m, int count = 6) {
   for (int i = 0; i < count; ++i) {
-    const double z = low_m + (high_m - low_m) * i / (count - 1);
+    const double z = low_m + (high_m - low_m) * i / std::max(1, count - 1);
     points.emplace_back(static_cast<float>(range_m * std::cos(bearing_rad)),
                         static_cast<float>(range_m * std::sin(bearing_rad)), static_cast<float>(z));
   }
@@ -52,6 +55,43 @@ TEST(PseudoScan, TakesTheThirdClosestPointOfABin) {
   EXPECT_NEAR(beam.sigma_m, 0.01 * 4.0, 1e-3);
 }
 
+TEST(PseudoScan, ANoisyWallReturnsWhereItStandsAndNotItsFront) {
+  Points points;
+  Random random(1);
+  for (int i = 0; i < 100; ++i) stand(points, kLeft, random.normal(4.0, 0.16), 0.5, 0.6, 1);
+  const Beam beam = beam_at(pseudo_scan({}, points, {}), kLeft);
+  EXPECT_NEAR(beam.range_m, 4.0, 0.08);
+  EXPECT_LT(beam.clear_m, 3.8);
+}
+
+TEST(PseudoScan, WhatStandsBeyondTheRangeShowsThatNothingStandsBefore) {
+  const auto seen = [](const Points& points) { return beam_at(pseudo_scan({}, points, {}), kLeft); };
+  Points far;
+  stand(far, kLeft, 8.0, 0.3, 1.4);
+  EXPECT_EQ(seen(far).kind, Beam::Return::none);
+  EXPECT_EQ(seen(far).clear_m, 5.0);
+
+  Points faded = far;  // a floor whose texture fades ends no way that is seen to go on
+  for (double bearing = 0.1; bearing < 0.3; bearing += 0.004) lay_floor(faded, bearing, 0.8, 2.6);
+  EXPECT_EQ(seen(faded).clear_m, 5.0);
+  Points crate = far;
+  stand(crate, kLeft, 2.0, 0.2, 0.6);
+  EXPECT_EQ(seen(crate).kind, Beam::Return::obstacle);
+  EXPECT_NEAR(seen(crate).clear_m, 2.0, 1e-3);
+  Points drop = far;
+  lay_floor(drop, kLeft, 0.8, 1.5);
+  stand(drop, kLeft, 1.8, -0.4, -0.2);
+  EXPECT_LT(seen(drop).clear_m, 1.6);
+
+  Points unsure;  // as far beyond the range as depth is off there
+  stand(unsure, kLeft, 5.4, 0.3, 1.4);
+  Points lamps;
+  stand(lamps, kLeft, 8.0, 1.7, 2.2);
+  Points few;
+  stand(few, kLeft, 8.0, 0.3, 1.4, 2);
+  for (const Points& points : {unsure, lamps, few}) EXPECT_EQ(seen(points).clear_m, 0.0);
+}
+
 TEST(PseudoScan, OnlyTheSliceReturns) {
   Points points;
   stand(points, kLeft, 1.0, 0.07, 0.11);  // a sill
@@ -78,15 +118,22 @@ TEST(PseudoScan, ARayWithoutAReturnIsFreeAsFarAsFloorWasSeenWithoutAGap) {
 
 TEST(PseudoScan, TheFarEdgeOfSeenFloorIsAWeakReturn) {
   Points points;
-  lay_floor(points, kLeft, 0.8, 2.5);
+  for (int i = -5; i <= 5; ++i) lay_floor(points, kLeft + 0.0087266 * i, 0.8, 2.5);
   const Beam beam = beam_at(pseudo_scan({}, points, {}), kLeft);
   EXPECT_EQ(beam.kind, Beam::Return::floor_edge);
   EXPECT_NEAR(beam.range_m, 2.5, 0.051);
   EXPECT_GT(beam.sigma_m, 0.25);
   Points to_the_end;
-  lay_floor(to_the_end, kLeft, 0.8, 4.95);
+  for (int i = -5; i <= 5; ++i) lay_floor(to_the_end, kLeft + 0.0087266 * i, 0.8, 4.95);
   EXPECT_EQ(beam_at(pseudo_scan({}, to_the_end, {}), kLeft).kind, Beam::Return::none)
       << "it ends because the range does";
+}
+
+TEST(PseudoScan, AFloorThatEndsRaggedlyTellsOfNoWall) {
+  Points points;
+  for (int i = -9; i <= 9; ++i) lay_floor(points, kLeft + 0.0087266 * i, 0.8, 2.0 + 0.3 * ((i + 9) % 4));
+  for (const Beam& beam : pseudo_scan({}, points, {}).beams) EXPECT_EQ(beam.kind, Beam::Return::none);
+  EXPECT_GE(beam_at(pseudo_scan({}, points, {}), kLeft).clear_m, 1.9) << "free it is, all the same";
 }
 
 TEST(PseudoScan, ADropEndsWhatIsFreeThoughAWallReturnsBehindIt) {

@@ -56,6 +56,16 @@ TEST_F(RevisitedView, ARobotBesideSeesWhatIsThere) {
   EXPECT_LT(apart(seen, truly), 0.3 * apart(look(here, 1.0), truly));
 }
 
+TEST_F(RevisitedView, WhatIsDarkerIsTheSameViewWithAsMuchNoise) {
+  const Image seen = look(here, 2.0);
+  const Image dark = darker(seen, 0.5, 3);
+  EXPECT_EQ(dark.width, seen.width);
+  EXPECT_NEAR(brightness(dark), 0.5 * brightness(seen), 1.0);
+  EXPECT_NEAR(noise_of(darker(look(here, 0.0), 0.5, 3)), 0.5 * noise_of(look(here, 0.0)), 1.0);
+  EXPECT_EQ(*darker(seen, 0.5, 3).pixels, *dark.pixels);
+  EXPECT_NE(*darker(seen, 0.5, 4).pixels, *dark.pixels);
+}
+
 TEST_F(RevisitedView, InHalfTheLightTheNoiseStays) {
   OtherLook other;
   other.light = 0.5;

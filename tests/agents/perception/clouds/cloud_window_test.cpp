@@ -50,6 +50,12 @@ TEST(CloudWindow, KeepsWhatTwoFramesHitAndDropsWhatOneDid) {
   EXPECT_EQ(cloud.points.size(), 22U);
 }
 
+TEST(CloudWindow, ARobotThatStandsShowsWhatItsOnlyFrameHit) {
+  CloudWindow window({}, {});
+  window.add(frame_at(0.0));
+  EXPECT_EQ(window.snapshot({}).points.size(), 21U);
+}
+
 TEST(CloudWindow, SaysWhichFrameSawAPointFromNearestAndWhereItsCameraStood) {
   CloudWindow window({}, {});
   window.add(frame_at(0.0));

@@ -12,7 +12,9 @@ namespace {
 
 struct NdtCosts : testing::Test {
   double at(const Vector6d& twist) const { return cost(twist).value; }
-  NdtCost cost(const Vector6d& twist) const { return ndt_cost(a, b, a_from_b * se3_exp(twist), config, false); }
+  NdtCost cost(const Vector6d& twist) const {
+    return ndt_cost(a, b, a_from_b * se3_exp(twist), config, CellsOfB::all, false);
+  }
   static NdtLevel level_of(const std::vector<Eigen::Vector3f>& points) {
     return ndt_map({points}, NdtCellConfig{}).levels.at(1);
   }
@@ -72,7 +74,7 @@ TEST_F(NdtCosts, TheScatterOfTheGradientIsThatOfRepeatedScans) {
   for (std::uint64_t seed = 0; seed < runs; ++seed) {
     const NdtLevel one = level_of(test::scanned(100 + 2 * seed, true));
     const NdtLevel two = level_of(moved(test::scanned(101 + 2 * seed, true), truth.inverse()));
-    const NdtCost there = ndt_cost(one, two, truth, config, true);
+    const NdtCost there = ndt_cost(one, two, truth, config, CellsOfB::all, true);
     scatter += there.gradient * there.gradient.transpose() / runs;
     mean += there.gradient / runs;
     stated += there.scatter / runs;
@@ -82,6 +84,33 @@ TEST_F(NdtCosts, TheScatterOfTheGradientIsThatOfRepeatedScans) {
     EXPECT_GT(stated(axis, axis), 0.2 * scatter(axis, axis)) << "axis " << axis;
     EXPECT_LT(stated(axis, axis), 5.0 * scatter(axis, axis)) << "axis " << axis;
   }
+}
+
+TEST_F(NdtCosts, WhatOneCloudAloneSaysAlongAPlainAisleIsNotTrusted) {
+  const Pose3 truth = a_from_b * off_by;
+  const auto along = [&](bool has_end_wall) {  // of the aisle: what a's cells say, and what both clouds' do
+    const NdtLevel one = level_of(test::scanned(1, has_end_wall));
+    const NdtLevel two = level_of(moved(test::scanned(2, has_end_wall), truth.inverse()));
+    const NdtCost there = ndt_cost(one, two, truth, config, CellsOfB::all, true);
+    const Eigen::Vector3d x_in_b = truth.inverse().rotation * Eigen::Vector3d::UnitX();
+    return std::pair{x_in_b.dot(there.information.topLeftCorner<3, 3>() * x_in_b),
+                     x_in_b.dot(there.trusted.topLeftCorner<3, 3>() * x_in_b)};
+  };
+  const auto [plain, plain_trusted] = along(false);
+  EXPECT_GT(plain, 0.0);
+  EXPECT_LT(std::abs(plain_trusted), 0.3 * plain);
+  const auto [ended, ended_trusted] = along(true);
+  EXPECT_GT(ended_trusted, 0.8 * ended);
+  EXPECT_GT(ended_trusted, 20.0 * std::abs(plain_trusted));
+}
+
+TEST_F(NdtCosts, OfLargerCellsThoseAreMatchedWhosePointsNoSmallerOnesHold) {
+  const NdtCost all = cost(Vector6d::Zero());
+  for (NdtCell& cell : b.cells) cell.is_finest = false;
+  b.cells.front().is_finest = true;
+  const NdtCost finest = ndt_cost(a, b, a_from_b, config, CellsOfB::finest, false);
+  EXPECT_EQ(all.cells, b.cells.size());
+  EXPECT_EQ(finest.cells, 1U);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 #include "tests/agents/perception/clouds/scanned_corner.hpp"
 
@@ -24,22 +25,17 @@ double sigma_along(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& dir
   return std::sqrt(direction.dot(covariance * direction));
 }
 
-/// Returns the direction across a cell's surface.
-Eigen::Vector3d cell_normal(const NdtCell& cell) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(cell.surface).eigenvectors().col(0);
-}
-
-TEST(NdtMap, ACellIsThinAcrossItsSurfaceWhichHasNoEndAlongIt) {
+TEST(NdtMap, ACellIsThinAcrossItsSurface) {
   const std::vector<Eigen::Vector3f> points = wall_patch(1);
   const NdtMap map = ndt_map({points}, NdtCellConfig{});
   ASSERT_EQ(map.levels.front().cells.size(), 1U);
   const NdtCell& cell = map.levels.front().cells[0];
   EXPECT_NEAR(cell.mean.x(), 2.1, 0.002);
+  EXPECT_GT(std::abs(cell.normal.x()), 0.99);
   EXPECT_NEAR(sigma_along(cell.covariance, Eigen::Vector3d::UnitX()), NdtCellConfig{}.least_sigma_m, 1e-3);
   EXPECT_NEAR(sigma_along(cell.covariance, Eigen::Vector3d::UnitY()), 0.2 / std::sqrt(12.0), 0.005);
-  EXPECT_LT(sigma_along(cell.surface, cell_normal(cell)), 0.03);
-  EXPECT_GE(sigma_along(cell.surface, Eigen::Vector3d::UnitY()), 10.0);
-  EXPECT_GE(sigma_along(cell.surface, Eigen::Vector3d::UnitZ()), 10.0);
+  EXPECT_GE(std::sqrt(cell.across), NdtCellConfig{}.least_sigma_m);
+  EXPECT_LT(std::sqrt(cell.across), 0.03);
   EXPECT_NEAR(std::sqrt(cell.mean_covariance(1, 1)), 0.2 / std::sqrt(12.0 * 400.0), 0.001);
 }
 
@@ -53,6 +49,16 @@ TEST(NdtMap, DepthNoiseWidensACellAlongItsRayAlone) {
   const std::vector<Eigen::Vector3f> beside = {{2.1F, -1.9F, 0.2F}};
   const NdtCell grazed = ndt_map({points, frames, beside, noise}, NdtCellConfig{}).levels[0].cells.at(0);
   EXPECT_LT(sigma_along(grazed.covariance, Eigen::Vector3d::UnitX()), 0.03);
+}
+
+TEST(NdtMap, DepthNoiseDoesNotTurnTheNormalOfAWallSeenAtASlant) {
+  const std::vector<Eigen::Vector3f> points = wall_patch(1);
+  const std::vector<std::uint16_t> frames(points.size(), 0);
+  const std::vector<Eigen::Vector3f> aside = {{1.5F, -1.9F, 0.2F}};
+  const NdtCell cell = ndt_map({points, frames, aside, {300.0, 0.12, 0.8}}, NdtCellConfig{}).levels[0].cells.at(0);
+  EXPECT_GT(std::abs(cell.normal.x()), 0.999);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(cell.covariance);
+  EXPECT_LT(std::abs(axes.eigenvectors()(0, 0)), 0.99) << "the widened spread leans";
 }
 
 TEST(NdtMap, LargerCellsHoldThePointsOfTheSmallerOnes) {
@@ -80,8 +86,25 @@ TEST(NdtMap, ALineOfPointsSaysLittleAcrossIt) {
                         static_cast<float>(random.normal(0.2, 0.01)));
   }
   const NdtCell line = ndt_map({points}, NdtCellConfig{}).levels[0].cells.at(0);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(line.surface);
-  EXPECT_GT(std::sqrt(axes.eigenvalues()[0]), 0.035);
+  EXPECT_GT(std::sqrt(line.across), 0.03);
+}
+
+TEST(NdtMap, WherePointsAreTooFewForSmallCellsLargerOnesAreTheFinest) {
+  std::vector<Eigen::Vector3f> points = wall_patch(1);
+  Random random(2);
+  for (int at = 0; at < 12; ++at) {  // a thin sheet of points, 3 m beside
+    points.emplace_back(Eigen::Vector3d(random.uniform(2.0, 2.8), 3.21, random.uniform(0.0, 0.7)).cast<float>());
+  }
+  const NdtMap map = ndt_map({points}, NdtCellConfig{});
+  const auto finest_at = [&](std::size_t level, double y) {
+    const auto& cells = map.levels.at(level).cells;
+    return std::count_if(cells.begin(), cells.end(),
+                         [&](const NdtCell& cell) { return cell.is_finest && std::abs(cell.mean.y() - y) < 0.3; });
+  };
+  EXPECT_EQ(finest_at(0, 0.1), 1) << "the patch fills a cell";
+  EXPECT_EQ(finest_at(1, 0.1), 0) << "which holds all of the larger one's points";
+  EXPECT_EQ(finest_at(0, 3.2), 0);
+  EXPECT_GE(finest_at(1, 3.2) + finest_at(2, 3.2), 1);
 }
 
 TEST(NdtMap, WithoutPointsThereIsNoCell) {

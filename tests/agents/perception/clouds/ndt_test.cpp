@@ -83,7 +83,7 @@ TEST(Ndt, RefusesByNameWhatDoesNotOverlapAndWhatIsTooLittle) {
 }
 
 TEST(Ndt, RefusesByNameWhatContradictsThePrior) {
-  const Metric3 sure{off_by(0.15, 0.15, 0.0), test::covariance_of_sigmas(0.01, 0.005)};
+  const Metric3 sure{off_by(0.08, 0.08, 0.0), test::covariance_of_sigmas(0.01, 0.005)};
   NdtConfig config;
   config.prior_gate = 4.0;
   const auto registered = register_with_prior(fixed_map(true), moved_map(true), sure, config);

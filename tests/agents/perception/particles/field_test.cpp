@@ -34,6 +34,25 @@ TEST(LikelihoodField, IsThatOfADistanceWithTheWidthOfTheBeam) {
   EXPECT_GT(log_at(field, one_beam(3.0), {5.0, 4.0, 0.0}), -0.2);
 }
 
+TEST(LikelihoodField, AFloorThatEndsSpeaksLessAgainstAPoseThanAnObstacle) {
+  const Room room;
+  const LikelihoodConfig config;
+  const LikelihoodField field = room.field(config);
+  Scan edge = one_beam(1.5);  // in the middle of the room
+  edge.beams.front().kind = Beam::Return::floor_edge;
+  EXPECT_NEAR(log_at(field, edge, {5.0, 4.0, 0.0}), std::log(1.0 - config.edge_share), 1e-3);
+  EXPECT_NEAR(log_at(field, one_beam(1.5), {5.0, 4.0, 0.0}), std::log(1.0 - config.hit_share), 1e-3);
+  edge.beams.front().range_m = 3.0;
+  EXPECT_GT(log_at(field, edge, {5.0, 4.0, 0.0}), -0.2);
+  std::vector<BeamEnd> ends = field.ends_of(edge);
+  for (int i = 0; i < 20; ++i) LikelihoodField::widen(ends);
+  ParticleSet far;
+  far.add({2.0, 4.0, 0.0}, 1.0);
+  std::vector<float> logs(1, 0.0F);
+  field.weigh(ends, far, logs);
+  EXPECT_GE(static_cast<double>(logs[0]), std::log(1.0 - config.edge_share)) << "it stays an edge";
+}
+
 TEST(LikelihoodField, UnknownCellsAndWhatIsOutsideAreNeutral) {
   const Room room;
   const LikelihoodField field = room.field();

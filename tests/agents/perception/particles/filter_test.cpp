@@ -24,15 +24,19 @@ class Led {
   ParticleFilter& filter() { return filter_; }
   const Pose2& truth() const { return truth_; }
   void put_to(const Pose2& pose) { truth_ = pose; }
-  /// Drives on by 0.12 m, the odometry 4 % off and noisy, and updates.
-  ParticleUpdate step(const DrawPose& anywhere = kAnywhere) {
+  /// Drives on by 0.12 m, the odometry 4 % off and noisy, and updates; where `sees_new`, by a scan in which something
+  /// stands a metre away all round.
+  ParticleUpdate step(const DrawPose& anywhere = kAnywhere, bool is_told = false, bool sees_new = false) {
     const Pose2 moved = se2_exp({0.12, 0.0, 0.09});
     truth_ = truth_ * moved;
     UncertainMotion said{{moved.x * 1.04 + random_.normal(0.0, 0.005), moved.y, moved.heading},
                          Eigen::Vector3d(1e-4, 1e-5, 1e-4).asDiagonal()};
     filter_.advance(said);
     EXPECT_TRUE(filter_.is_due());
-    return filter_.update(field_, room_.scan_from(truth_, random_), anywhere);
+    Scan scan = room_.scan_from(truth_, random_);
+    for (Beam& beam : scan.beams) beam.range_m = sees_new ? std::min(beam.range_m, 1.0) : beam.range_m;
+    const ToldPose told{truth_, Eigen::Vector3d(4e-4, 4e-4, 1e-4).asDiagonal()};
+    return filter_.update(field_, scan, anywhere, is_told ? std::optional(told) : std::nullopt);
   }
   double off_m() const { return (filter_.estimate().chart_from_robot.translation() - truth_.translation()).norm(); }
 
@@ -86,6 +90,23 @@ TEST(ParticleFilter, WithoutAnywhereToDrawFromAKidnappingIsNotRecoveredFrom) {
   led.put_to({1.79, 2.55, -2.0});
   for (int i = 0; i < 80; ++i) EXPECT_EQ(led.step(DrawPose()).injected, 0.0);
   EXPECT_GT(led.off_m(), 0.5) << "so it is the injection that recovers it";
+}
+
+TEST(ParticleFilter, ItSeeksNothingWhileItIsToldWhereItIs) {
+  for (const bool is_told : {true, false}) {
+    Led led(6);
+    led.filter().begin_at(led.truth(), small_covariance(), 500);
+    for (int i = 0; i < 40; ++i) led.step(kAnywhere, is_told);
+    double most_injected = 0.0;
+    for (int i = 0; i < 20; ++i) most_injected = std::max(most_injected, led.step(kAnywhere, is_told, true).injected);
+    if (is_told) {
+      EXPECT_EQ(most_injected, 0.0) << "what it sees is new";
+      EXPECT_LT(led.off_m(), 0.1);
+      EXPECT_EQ(led.step().injected, 0.0) << "nor is it taken to be lost afterwards";
+    } else {
+      EXPECT_GT(most_injected, 0.05);
+    }
+  }
 }
 
 TEST(ParticleFilter, InjectsNothingWhileAllIsWell) {

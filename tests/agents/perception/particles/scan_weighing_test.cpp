@@ -52,6 +52,41 @@ TEST(ScanWeighing, AScanThatTellsFarMoreThanTheMotionCountsUnblurred) {
   EXPECT_LT(std::sqrt(sharp.covariance(2, 2)), 0.03);
 }
 
+TEST(ScanWeighing, AToldPoseWeighsAsItsCovarianceSays) {
+  const Room room;
+  const LikelihoodField field = room.field();
+  Random random(23);
+  const Pose2 expected{4.0, 3.0, 0.0};
+  ParticleSet before;
+  for (int i = 0; i < 4000; ++i) before.add(expected, 1.0 / 4000);
+  const Eigen::Matrix3d covariance = Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal();
+  MovedParticles moved = moved_by(before, {{}, covariance}, random);
+  const ToldPose told{expected * Pose2{0.1, 0.0, 0.0}, covariance};
+  const ScanWeight weight = ScanWeighing({}, {}, field, {}, covariance, told).weigh(moved, 0, random);
+  EXPECT_GT(weight.power, 0.0);
+  EXPECT_EQ(weight.likelihood, 0.0) << "there was no beam";
+  const ParticleEstimate both = estimate_of(moved.particles, 0.5, 0.1745);
+  EXPECT_NEAR(both.chart_from_robot.x, 4.05, 0.01);
+  EXPECT_NEAR(both.chart_from_robot.y, 3.0, 0.01);
+  EXPECT_NEAR(std::sqrt(both.covariance(0, 0)), 0.1 / std::sqrt(2.0), 0.008);
+}
+
+TEST(ScanWeighing, AToldPoseFarOffHardlyCounts) {
+  const Room room;
+  const LikelihoodField field = room.field();
+  Random random(24);
+  const Pose2 truth{4.5, 2.9, 0.3};
+  ParticleSet before;
+  for (int i = 0; i < 2000; ++i) before.add(truth, 1.0 / 2000);
+  const Eigen::Matrix3d covariance = Eigen::Vector3d(0.01, 0.01, 0.0025).asDiagonal();
+  MovedParticles moved = moved_by(before, {{}, covariance}, random);
+  const ToldPose wrong{truth * Pose2{1.5, 0.0, 0.0}, 0.01 * covariance};
+  ScanWeighing({}, {}, field, field.ends_of(room.scan_from(truth, random)), covariance, wrong)
+      .weigh(moved, 0, random);
+  const ParticleEstimate both = estimate_of(moved.particles, 0.5, 0.1745);
+  EXPECT_LT((both.chart_from_robot.translation() - truth.translation()).norm(), 0.04);
+}
+
 TEST(ScanWeighing, AtOnceIsEnoughWhereTheMotionTellsAsMuch) {
   const Room room;
   Random random(22);

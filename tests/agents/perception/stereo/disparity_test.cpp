@@ -108,6 +108,34 @@ TEST(Disparity, ImagesOfTwoMomentsAreDecorrelated) {
   EXPECT_LT(map.error().measured, map.error().bound);
 }
 
+TEST(Disparity, AnotherRoomIsDecorrelated) {
+  const Looked here(test::crate_room());
+  const Looked elsewhere(test::crate_room(77));
+  for (const int disparities : {48, 64, 128}) {
+    DisparityConfig config;
+    config.disparities = disparities;
+    const auto map = match_disparity(config, {here.pair.left, elsewhere.pair.right});
+    ASSERT_FALSE(map) << density(*map);
+    EXPECT_EQ(map.error().reason, "decorrelated") << disparities << " disparities";
+  }
+}
+
+TEST(Disparity, WhatIsNearerThanSearchedIsTooNear) {
+  const Looked looked(
+      {3, {{-1.0, -3.0, 0.0}, {8.0, 3.0, 3.0}, 45.0, 120.0}, {{{1.45, -1.0, 0.0}, {2.0, 1.0, 1.5}, 45.0, 110.0}}});
+  DisparityConfig config;
+  config.disparities = 48;  // down to 0.54 m; the block is 0.35 m away
+  const auto map = match_disparity(config, looked.pair);
+  ASSERT_FALSE(map) << density(*map);
+  EXPECT_EQ(map.error().reason, "too_near");
+  EXPECT_NEAR(map.error().measured, looked.rig.disparity_px(0.35), 6.0);
+  EXPECT_EQ(map.error().bound, 46.0);
+  config.disparities = 96;
+  const auto wider = match_disparity(config, looked.pair);
+  ASSERT_TRUE(wider) << wider.error().reason;
+  EXPECT_LT(judged(*wider, looked.rig, looked.depth_m, config.disparities).off_1px, 0.04);
+}
+
 TEST(Disparity, AShiftOfTheRightImageMovesAllDepthsByTheFormula) {
   const Looked looked(test::crate_room());
   const std::size_t pixels = looked.pair.right.pixels->size();

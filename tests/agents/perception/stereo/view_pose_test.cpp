@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+
 #include "core/random.hpp"
 
 namespace weft::agents {
@@ -18,11 +21,12 @@ Pose3 moved() {
 /// Returns points whose pixels at b are right but for noise, and a share of them wrong; `in_a` takes where they truly
 /// are.
 std::vector<SeenPoint> points_seen(const Pose3& b_from_a, double noise_px, double disparity_noise_px, double wrong,
-                                   std::uint64_t seed, std::vector<Eigen::Vector3d>* in_a = nullptr) {
+                                   std::uint64_t seed, std::vector<Eigen::Vector3d>* in_a = nullptr,
+                                   double nearest_m = 1.5, double farthest_m = 7.0) {
   Random random(seed);
   std::vector<SeenPoint> points;
   while (points.size() < 150) {
-    const double z = random.uniform(1.5, 7.0);
+    const double z = random.uniform(nearest_m, farthest_m);
     const Eigen::Vector3d true_point((random.uniform(0.0, 640.0) - kRig.cx) / kRig.focal_px * z,
                                      (random.uniform(0.0, 480.0) - kRig.cy) / kRig.focal_px * z, z);
     const Eigen::Vector3d in_b = b_from_a * true_point;
@@ -97,6 +101,27 @@ TEST(ViewPose, DisparitiesAtTheViewMakeItSurer) {
   }
   EXPECT_NEAR(squares / (6.0 * rounds), 1.0, 0.35) << "its covariance is that of its errors";
   EXPECT_LT(with_m2, 0.9 * without_m2);
+}
+
+TEST(ViewPose, NoiseOfDisparitiesDoesNotShortenTheWay) {
+  PoseBounds bounds;
+  bounds.disparity_sigma_px = 0.5;
+  Pose3 ahead;
+  ahead.translation.z() = -1.0;
+  double sum_m = 0.0;
+  double sigma2_m2 = 0.0;
+  constexpr int rounds = 100;
+  for (std::uint64_t seed = 1; seed <= rounds; ++seed) {
+    // Far away: disparities of 2 to 6 px.
+    const auto points =
+        points_seen(ahead, bounds.track_sigma_px, bounds.disparity_sigma_px, 0.0, seed, nullptr, 8.0, 25.0);
+    const auto fit = fit_pose(kRig, points, bounds, ahead);
+    ASSERT_TRUE(fit);
+    sum_m += (fit->b_from_a * ahead.inverse()).translation.z();
+    sigma2_m2 += fit->covariance(2, 2);
+  }
+  RecordProperty("mean_off_m", std::to_string(sum_m / rounds));
+  EXPECT_LT(std::abs(sum_m / rounds), 3.0 * std::sqrt(sigma2_m2) / rounds) << "of 1 m";
 }
 
 TEST(ViewPose, TheSamePointsGiveTheSamePose) {
