@@ -28,6 +28,8 @@ std::vector<Error> check(const CostmapConfig& config) {
   in("side_m", config.side_m, Low::closed, 1, 20);
   in("cell_m", config.cell_m, Low::closed, 0.02, 0.25);
   in("memory_s", config.memory_s, Low::open, 0, 600);
+  in("near_m", config.near_m, Low::closed, 0, 3);
+  in("near_s", config.near_s, Low::closed, config.memory_s, 600);
   in("footprint_m", config.footprint_m, Low::open, 0, 2);
   return std::move(out.issues);
 }
@@ -47,8 +49,15 @@ std::size_t Costmap::index(const Cell& cell) const {
          static_cast<std::size_t>(remainder_of(cell.column, side_));
 }
 
+bool Costmap::is_kept(const Cell& cell) const {
+  const Eigen::Vector2d middle((cell.column + 0.5) * config_.cell_m, (cell.row + 0.5) * config_.cell_m);
+  return seen_[index(cell)].state == CellState::occupied && (middle - robot_).norm() <= config_.near_m;
+}
+
 void Costmap::clear() {
-  std::fill(seen_.begin(), seen_.end(), Seen{});
+  for (int row = first_.row; row < first_.row + side_; ++row)
+    for (int column = first_.column; column < first_.column + side_; ++column)
+      if (!is_kept({column, row})) seen_[index({column, row})] = {};
 }
 
 void Costmap::roll_to(const Eigen::Vector2d& middle) {
@@ -80,7 +89,8 @@ void Costmap::note_footprint(const Eigen::Vector2d& middle, SensorTime now) {
 }
 
 void Costmap::take(const Pose2& odom_from_robot, const Scan& scan, SensorTime now) {
-  roll_to(odom_from_robot.translation());
+  robot_ = odom_from_robot.translation();
+  roll_to(robot_);
   const Pose2 odom_from_scan = odom_from_robot * scan.robot_from_scan;
   const Eigen::Vector2d from = odom_from_scan.translation();
   const double step_m = 0.5 * config_.cell_m;
@@ -91,7 +101,7 @@ void Costmap::take(const Pose2& odom_from_robot, const Scan& scan, SensorTime no
     const bool is_obstacle = beam.kind == Beam::Return::obstacle;
     if (is_obstacle) marks.push_back(end);
     const double clear_m = std::min(beam.clear_m, 1.5 * config_.side_m);
-    for (double at_m = 0.0; at_m <= clear_m; at_m += step_m) {
+    for (double at_m = scan.clear_from_m; at_m <= clear_m; at_m += step_m) {
       const Cell cell = cell_of(from + at_m * ahead);
       if (is_obstacle && cell == end) break;
       note(cell, CellState::free, now);
@@ -105,10 +115,12 @@ OccupancyGrid Costmap::grid(SensorTime now) const {
   OccupancyGrid grid =
       unknown_grid({first_.column * config_.cell_m, first_.row * config_.cell_m, config_.cell_m, side_, side_});
   const Duration memory = from_seconds(config_.memory_s);
+  const Duration near_memory = from_seconds(config_.near_s);
   for (int row = 0; row < side_; ++row) {
     for (int column = 0; column < side_; ++column) {
-      const Seen& seen = seen_[index({first_.column + column, first_.row + row})];
-      if (seen.state == CellState::unknown || now - seen.at > memory) continue;
+      const Cell cell{first_.column + column, first_.row + row};
+      const Seen& seen = seen_[index(cell)];
+      if (seen.state == CellState::unknown || now - seen.at > (is_kept(cell) ? near_memory : memory)) continue;
       grid.cells[grid.raster.index({column, row})] = seen.state;
     }
   }

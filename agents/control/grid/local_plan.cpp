@@ -30,14 +30,6 @@ Eigen::Vector2d carrot_on(const std::vector<Eigen::Vector2d>& path, const RoomTo
   return carrot;
 }
 
-/// Returns a turn on the spot by so much, as fast as can still be stopped in time.
-Twist turn_by(const ArcConfig& arcs, double radians, double now_rad_s) {
-  const double left = std::max(0.0, std::abs(radians) - std::abs(now_rad_s) * arcs.delay_s);
-  const double rate = std::min(arcs.fastest_rad_s, std::sqrt(arcs.acceleration_rad_s2 * left));
-  const double change = arcs.acceleration_rad_s2 * arcs.period_s;
-  return {0.0, std::clamp(std::copysign(rate, radians), now_rad_s - change, now_rad_s + change)};
-}
-
 /// Returns the speed from which the robot comes to stand at the goal.
 double speed_before(const ArcConfig& arcs, double left_m) {
   return std::sqrt(2.0 * arcs.deceleration_m_s2 * std::max(left_m, 0.0));
@@ -62,6 +54,13 @@ tl::expected<ChosenArc, NoLocalPlan> drive_to(const LocalPlanConfig& config, con
 }
 
 }  // namespace
+
+Twist turn_by(const ArcConfig& arcs, double radians, double now_rad_s) {
+  const double left = std::max(0.0, std::abs(radians) - std::abs(now_rad_s) * arcs.delay_s);
+  const double rate = std::min(arcs.fastest_rad_s, std::sqrt(arcs.acceleration_rad_s2 * left));
+  const double change = arcs.acceleration_rad_s2 * arcs.period_s;
+  return {0.0, std::clamp(std::copysign(rate, radians), now_rad_s - change, now_rad_s + change)};
+}
 
 std::vector<Error> check(const LocalPlanConfig& config) {
   OutOfBounds out("local_plan");
@@ -96,7 +95,13 @@ tl::expected<LocalPlan, NoLocalPlan> plan_locally(const LocalPlanConfig& config,
                                                   const OccupancyGrid& costmap, const LocalTask& task) {
   const Eigen::Vector2d robot = task.chart_from_robot.translation();
   if (!chart.raster.holds(chart.raster.cell_at(robot))) return tl::unexpected(NoLocalPlan{"off_the_chart"});
-  const DistanceMap clearance = clearance_of(overlaid(chart, costmap, task.chart_from_odom));
+  return plan_in_room(config, clearance_of(overlaid(chart, costmap, task.chart_from_odom)), task);
+}
+
+tl::expected<LocalPlan, NoLocalPlan> plan_in_room(const LocalPlanConfig& config, const DistanceMap& clearance,
+                                                  const LocalTask& task) {
+  const Eigen::Vector2d robot = task.chart_from_robot.translation();
+  if (!clearance.raster.holds(clearance.raster.cell_at(robot))) return tl::unexpected(NoLocalPlan{"off_the_chart"});
   const RoomToDrive room(clearance, config.footprint_m, robot);
   LocalPlan plan;
   const std::optional<std::vector<Eigen::Vector2d>> path = find_path(config.path, room, robot, task.chart_goal);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "agents/control/grid/arcs.hpp"
+#include "agents/control/grid/clearance.hpp"
 #include "agents/control/grid/grid_path.hpp"
 #include "agents/control/grid/occupancy_grid.hpp"
 #include "core/result.hpp"
@@ -40,7 +41,7 @@ struct LocalPlan {
 
 /// Says why there is no plan; the robot is to stand.
 struct NoLocalPlan {
-  std::string_view reason;  ///< "off_the_chart", "no_way" or "blocked"
+  std::string_view reason;  ///< "off_the_chart", "no_way" or "blocked": no arc can be driven now
 };
 
 /// Plans how to drive to a goal within a chart: a path over the cells that are known to be free in the chart or, of
@@ -48,5 +49,12 @@ struct NoLocalPlan {
 /// kept free. What is unknown is a wall.
 tl::expected<LocalPlan, NoLocalPlan> plan_locally(const LocalPlanConfig& config, const OccupancyGrid& chart,
                                                   const OccupancyGrid& costmap, const LocalTask& task);
+
+/// Does the same where it is known already how much room there is around each cell.
+tl::expected<LocalPlan, NoLocalPlan> plan_in_room(const LocalPlanConfig& config, const DistanceMap& clearance,
+                                                  const LocalTask& task);
+
+/// Returns a turn on the spot by so much, as fast as can still be stopped in time; `now_rad_s` is how fast it turns.
+Twist turn_by(const ArcConfig& arcs, double radians, double now_rad_s);
 
 }  // namespace weft::agents

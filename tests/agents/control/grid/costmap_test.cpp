@@ -54,6 +54,31 @@ TEST(Costmap, ForgetsAfterItsMemory) {
   EXPECT_EQ(state(map, 2.0, 0.01, 11.1), CellState::unknown);
 }
 
+TEST(Costmap, ARayOverALowThingThatIsOutOfViewDoesNotClearIt) {
+  Costmap map({});
+  map.take({0, 0, 0}, scan_of(Beam::Return::obstacle, 1.0, 1.0), at(1.0));
+  Scan past = scan_of(Beam::Return::none, 0.0, 5.0);  // of the wall behind it
+  past.clear_from_m = 0.6;
+  map.take({0.5, 0, 0}, past, at(2.0));
+  EXPECT_EQ(state(map, 1.0, 0.01, 2.0), CellState::occupied);
+  EXPECT_EQ(state(map, 1.2, 0.0, 2.0), CellState::free);
+  past.clear_from_m = 0.4;
+  map.take({0.5, 0, 0}, past, at(3.0));
+  EXPECT_EQ(state(map, 1.0, 0.01, 3.0), CellState::free);
+}
+
+TEST(Costmap, WhatStandsTooNearToBeSeenIsKept) {
+  Costmap map({});
+  map.take({0, 0, 0}, scan_of(Beam::Return::obstacle, 1.0, 1.0), at(1.0));
+  map.take({0.4, 0, 0}, Scan{}, at(2.0));  // in front of it, blind
+  EXPECT_EQ(state(map, 1.0, 0.01, 50.0), CellState::occupied);
+  map.clear();
+  EXPECT_EQ(state(map, 1.0, 0.01, 50.0), CellState::occupied);
+  EXPECT_EQ(state(map, 1.0, 0.01, 62.0), CellState::unknown);
+  map.take({0.4, 0, 0}, scan_of(Beam::Return::obstacle, 2.0, 2.0), at(3.0));
+  EXPECT_EQ(state(map, 1.0, 0.01, 3.0), CellState::free) << "seen to have gone";
+}
+
 TEST(Costmap, WhatHasGoneIsCleared) {
   Costmap map({});
   map.take({0, 0, 0}, scan_of(Beam::Return::obstacle, 1.0, 1.0), at(1.0));
