@@ -6,6 +6,7 @@
 #include "agents/methods/bearing/bearing.hpp"
 #include "agents/methods/ceiling/ceiling.hpp"
 #include "agents/methods/floor/floor.hpp"
+#include "agents/methods/topometric/topometric.hpp"
 #include "agents/perception/birds_eye.hpp"
 #include "agents/perception/rig.hpp"
 #include "core/config/config.hpp"
@@ -36,6 +37,11 @@ concept PicturesPlane = requires(ByteView bytes) {
   { M::patch_of_bytes(bytes) } -> std::same_as<Result<PlanePatch>>;
 };
 
+/// Describes a method whose contents are clouds (docs/formats/cloud.md) in the level frame of their place, z above
+/// the floor.
+template <class M>
+concept StoresClouds = M::contents_are_clouds;
+
 template <Runnable... M>
 struct MethodList {
   static constexpr std::array<std::string_view, sizeof...(M)> names = {M::name...};
@@ -48,6 +54,6 @@ struct MethodList {
 };
 
 /// Lists every method that robots navigate by: whoever adds a method adds it here and nowhere else.
-using AllMethods = MethodList<Floor, Bearing, Ceiling>;
+using AllMethods = MethodList<Floor, Bearing, Ceiling, Topometric>;
 
 }  // namespace weft::agents

@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -14,9 +16,7 @@ class ContentWriter {
   template <class T>
   void number(T value) {
     static_assert(std::endian::native == std::endian::little);
-    const std::size_t at = bytes_.size();
-    bytes_.resize(at + sizeof(T));
-    std::memcpy(bytes_.data() + at, &value, sizeof(T));
+    for (const std::uint8_t byte : std::bit_cast<std::array<std::uint8_t, sizeof(T)>>(value)) bytes_.push_back(byte);
   }
   void raw(ByteView view) { bytes_.insert(bytes_.end(), view.begin(), view.end()); }
   Bytes take() { return std::move(bytes_); }

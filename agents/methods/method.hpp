@@ -63,6 +63,10 @@ struct Related {
   double overlap = 0.0;                      ///< share of b's view seen in a
   double residual = 0.0;                     ///< the method's distance (h_distance for floor); smaller is better
   std::vector<Diagnostic> diagnostics = {};  ///< what else the two contents show of the robot that saw b
+  /// Says what speaks against it, from 0 to 1: the share of what one of them shows where the other has seen that
+  /// nothing stands, as something has come or gone, or it is another place that looks alike; 1 where nothing else
+  /// confirms it. 0 also where the method cannot tell.
+  double doubt = 0.0;
 };
 
 /// Describes a diagnostic of fixes that deserves a person's attention while it is beyond a bound, and how to say so.
@@ -131,6 +135,7 @@ struct Ahead {
   bool end_is_goal = false;
   double speed_limit_m_s = 0.6;
   double speed_m_s = 0.0;   ///< current
+  double aside_m = 0.0;     ///< so far beside the path the robot may be steered, as it is held for it
   bool knows_aside = true;  ///< false: how far beside the path the robot is nobody knows (AlongPath)
   Duration elapsed{};
 };
@@ -138,6 +143,21 @@ struct Stop {
   std::string_view reason;
 };
 using Steering = tl::expected<Twist, Stop>;
+
+/// Shows a method that localises in its own way where the robot is: the chart around it, the method's belief in that,
+/// and the pose that navigation believes, which has moved on since the last fix.
+template <class M>
+struct Around {
+  const typename M::Chart* chart = nullptr;
+  const typename M::Belief* belief = nullptr;
+  Pose2 centre_from_robot;
+};
+
+/// Tells for how long a robot has not known where it is.
+struct LostFor {
+  Duration time{};
+  double turned_rad = 0.0;  ///< since then, both directions added up
+};
 
 /// Describes a place of a taught run that is to be refined, as it was kept. Places come in the order of their
 /// indices.
@@ -175,6 +195,14 @@ struct Revisit {
   std::size_t condition = 0;  ///< one of M::conditions
   Pose2 robot_from_other;     ///< a few centimetres and degrees: what lies further off was not in the view
   std::uint64_t seed = 0;     ///< of its calibration's error, noise and what lies on the floor
+};
+
+/// Holds what the other robot sees, and where it stands: where it was asked to, or, of a method that knows views from
+/// where they were taken alone, there.
+template <class Content>
+struct Revisited {
+  Content content;
+  Pose2 robot_from_other;
 };
 
 /// Describes a method. M is a value: configuration and calibration, fixed after construction. Odometry is its state
@@ -219,6 +247,53 @@ concept Remembers = ChartsItself<M> &&
   { m.begin(chart, seed, before) } -> std::same_as<typename M::Belief>;
 };
 
+/// Describes a method whose belief goes on in the next chart as it is, so that a robot on its way need not begin
+/// anew.
+template <class M>
+concept CarriesBelief = ChartsItself<M> &&
+    requires(const M& m, const typename M::Chart& chart, const typename M::Belief& before, const Estimate& seed) {
+  /// Returns the belief `before` of another chart, in this one; `seed` is where the robot was in this one when it was
+  /// located last. The steps since then are joined to the next `locate`'s.
+  { m.carried(chart, seed, before) } -> std::same_as<typename M::Belief>;
+};
+
+/// Returns whether fixes of a method are what odometry and views say together, so that navigation must not weigh them
+/// against odometry again: they are gated as ever and then believed as they are.
+template <class M>
+constexpr bool is_posterior() {
+  if constexpr (requires { M::is_posterior; }) return M::is_posterior;
+  return false;
+}
+
+/// Returns whether edges that a method has taught are driven in either direction, the robot facing the way it drives.
+template <class M>
+constexpr bool drives_both_ways() {
+  if constexpr (requires { M::drives_both_ways; }) return M::drives_both_ways;
+  return false;
+}
+
+/// Describes a method that knows better how two places taught one after the other lie to each other than odometry
+/// alone.
+template <class M>
+concept Registers = Method<M> && requires(const M& m, const typename M::Content& content, const Relation& a_from_b) {
+  /// Returns the relation as odometry and both contents have it; as it was where they do not agree.
+  { m.registered(content, content, a_from_b) } -> std::same_as<Relation>;
+};
+
+/// Describes a method that sees whether a straight way between two places nobody has driven is free: a shortcut.
+template <class M>
+concept Clears = ChartsItself<M> && requires(const M& m, const typename M::Chart& chart, const Pose2& pose) {
+  /// Returns whether all of the straight way from a to b, as wide as the robot, is known to be free.
+  { m.is_clear(chart, pose /* centre_from_a */, pose /* a_from_b */) } -> std::same_as<bool>;
+};
+
+/// Describes a method that looks around where the robot is lost: it turns on the spot and never drives.
+template <class M>
+concept Recovers = Method<M> && requires(const M& m, typename M::Odometry& odometry, const LostFor& lost) {
+  /// Returns how to turn; none: it stands.
+  { m.recover(odometry, lost) } -> std::same_as<std::optional<Twist>>;
+};
+
 /// Describes a method whose contents look alike in more places than one: what a view is related to anywhere is
 /// believed when no place elsewhere in the window is nearly as much like it.
 template <class M>
@@ -232,9 +307,20 @@ concept ComparesRivals = Method<M> &&
 
 /// Describes a method that steers in its own way. Default: spline + Hoffmann + PI (agents/navigation/follower.hpp).
 template <class M>
-concept SteersItself = Method<M> && requires(const M& m, const Ahead& ahead) {
-  { m.steer(ahead) } -> std::same_as<Steering>;
+concept SteersItself = ChartsItself<M> &&
+    requires(const M& m, typename M::Odometry& odometry, const Around<M>* around, const Ahead& ahead) {
+  /// Returns the command for this sample; `around` is null where there is no chart. Stop "blocked": something stands
+  /// in the way.
+  { m.steer(odometry, around, ahead) } -> std::same_as<Steering>;
 };
+
+/// Returns whether a method that steers itself does so along a path that can be bent, as the default does: without
+/// the places that step back or aside. Else it gets the released places as they lie.
+template <class M>
+constexpr bool steers_along_a_path() {
+  if constexpr (requires { M::steers_along_a_path; }) return M::steers_along_a_path;
+  return false;
+}
 
 /// Describes a method that says how its camera is to expose the next views so that they show most of what it matches.
 /// None: as the camera likes. It is asked after `observe`, at each view.
@@ -272,14 +358,31 @@ constexpr std::uint32_t newest_format() {
   return M::content_format;
 }
 
-/// Describes a method that can say what another robot would have seen instead of a view, of the same camera and
-/// frame: with it teaching finds out whether a place will be found again before the robot leaves it.
+/// Describes a method that can say what another robot would have looked for a place with instead of a view: with it
+/// teaching finds out whether a place will be found again before the robot leaves it.
 template <class M>
-concept SimulatesRevisits = Method<M> && requires(const M& m, const View& view, const Revisit& revisit) {
+concept SimulatesRevisits = Method<M> &&
+    requires(const M& m, const typename M::Odometry& odometry, const View& view, const Revisit& revisit) {
   /// Names what may have changed by then, the mildest first: "as_is", "half_light".
   {std::span<const std::string_view>(M::conditions)};
-  { m.simulate_revisit(view, revisit) } -> std::same_as<OrRefusal<View>>;
+  /// Returns what the other robot sees, made of nothing that a place taught here is made of; `odometry` is that at
+  /// the view.
+  { m.simulate_revisit(odometry, view, revisit) } -> std::same_as<OrRefusal<Revisited<typename M::Content>>>;
 };
+
+/// Tells how far off a robot guesses where it is when it looks for a place: one sigma.
+struct GuessError {
+  double sigma_m = 0.03;
+  double sigma_rad = 0.02;
+};
+
+/// Returns with which guess places of a method are to be found again: that of a robot which has just localised,
+/// unless the method states another as `revisit_guess`.
+template <SimulatesRevisits M>
+constexpr GuessError revisit_guess() {
+  if constexpr (requires { M::revisit_guess; }) return M::revisit_guess;
+  return {};
+}
 
 /// Describes a method that measures more of its robot than where it is.
 template <class M>

@@ -3,6 +3,13 @@
 #include <utility>
 
 namespace weft::agents {
+namespace {
+
+bool is_same_image(const Image& a, const Image& b) {
+  return a.pixels != nullptr && b.pixels != nullptr && (a.pixels == b.pixels || *a.pixels == *b.pixels);
+}
+
+}  // namespace
 
 OpenOdometry::OpenOdometry(const OpenOdometryConfig& config, StereoOdometry stereo)
     : config_(config), stereo_(std::move(stereo)) {}
@@ -17,8 +24,12 @@ Step OpenOdometry::observe(State& state, const View* view, const Motion& motion)
   Motion obeyed{motion.elapsed, state.lag.next(motion), std::nullopt};
   Step reckoned = dead_reckon(config_.blind, obeyed, "dropped_frame");
   const Pose2 expected = planar(reckoned.previous_from_current);
-  const auto* const pair = view != nullptr ? std::get_if<StereoPair>(&view->data) : nullptr;
+  const auto* pair = view != nullptr ? std::get_if<StereoPair>(&view->data) : nullptr;
   if (view != nullptr && pair == nullptr) reckoned.blind_reason = "not_a_pair";
+  if (pair != nullptr && is_same_image(std::exchange(state.newest_left, pair->left), pair->left)) {
+    reckoned.blind_reason = "frozen";
+    pair = nullptr;
+  }
   if (pair != nullptr) {
     const auto is_possible = [&](const Pose3& step, const Pose3& assumed) {
       return agrees(config_.gate, obeyed, project(assumed) * expected, project(step));

@@ -20,6 +20,7 @@ class OpenOdometry {
   struct State {
     StereoOdometry::State seen;
     CommandLag lag;
+    Image newest_left = {};  ///< of the pair before: one that comes again is no view
   };
 
   /// Errors of StereoOdometry::make.
@@ -28,7 +29,8 @@ class OpenOdometry {
   const StereoOdometry& stereo() const { return stereo_; }
 
   /// Returns the step since the last sample. Blind reasons are those of StereoOdometry::observe, "dropped_frame" of
-  /// no view and "not_a_pair"; "impossible" is what commands cannot have caused.
+  /// no view, "not_a_pair" and "frozen" of a pair that is the one before to the last bit: it would show a robot that
+  /// stands; "impossible" is what commands cannot have caused.
   Step observe(State& state, const View* view, const Motion& motion) const;
 
  private:

@@ -118,7 +118,10 @@ class Floor {
   /// its calibration says (mount_tilt_rad, mount_height_m, load_m), on a day that is up to 30 % darker, in half that
   /// light or on a worn floor, with the sensor's noise as it is. Where it would see floor that the view does not
   /// show, there is foreign floor. Refusals: not_an_image, wrong_size.
-  OrRefusal<View> simulate_revisit(const View& view, const Revisit& revisit) const;
+  OrRefusal<View> simulate_view(const View& view, const Revisit& revisit) const;
+  /// Returns what that robot extracts there.
+  OrRefusal<Revisited<Content>> simulate_revisit(const Odometry& odometry, const View& view,
+                                                 const Revisit& revisit) const;
 
   const CameraModel& camera() const { return camera_; }
   const FloorConfig& config() const { return config_; }

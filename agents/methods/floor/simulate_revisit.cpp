@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "agents/methods/floor/floor.hpp"
 #include "agents/methods/image_of.hpp"
@@ -8,7 +9,7 @@
 
 namespace weft::agents {
 
-OrRefusal<View> Floor::simulate_revisit(const View& view, const Revisit& revisit) const {
+OrRefusal<View> Floor::simulate_view(const View& view, const Revisit& revisit) const {
   const OrRefusal<const Image*> image = image_of(view, camera_);
   if (!image) return tl::unexpected(image.error());
   Random random(revisit.seed);
@@ -26,6 +27,15 @@ OrRefusal<View> Floor::simulate_revisit(const View& view, const Revisit& revisit
   View other = view;
   other.data = revisited_view(**image, camera_, look);
   return other;
+}
+
+OrRefusal<Revisited<FloorContent>> Floor::simulate_revisit(const Odometry& odometry, const View& view,
+                                                           const Revisit& revisit) const {
+  const OrRefusal<View> other = simulate_view(view, revisit);
+  if (!other) return tl::unexpected(other.error());
+  OrRefusal<FloorContent> content = extract(odometry, *other);
+  if (!content) return tl::unexpected(content.error());
+  return Revisited<FloorContent>{std::move(*content), revisit.robot_from_other};
 }
 
 }  // namespace weft::agents

@@ -106,6 +106,27 @@ TEST(OpenOdometry, SeenAgainItMakesUpForALongBlindStretchThatWasAssumedWrongly) 
   EXPECT_NEAR(planar(start_from_robot).x, 9 * 0.025, 0.01);
 }
 
+TEST(OpenOdometry, APairThatComesAgainIsFrozen) {
+  const Sensor sensor = test::stereo_sensor(320, 240, 208.0, 0.12);
+  const test::StereoRoom room = test::crate_room();
+  const OpenOdometry odometry = std::move(*OpenOdometry::make({}, sensor));
+  OpenOdometry::State state;
+  const Motion motion{100ms, {0.4, 0.0}, std::nullopt};
+  View view;
+  for (int i = 0; i < 3; ++i) {
+    test::StereoShot shot;
+    shot.seed = static_cast<std::uint64_t>(i) + 1;
+    view.data = room.pair(sensor, lift(Pose2{1.0 + 0.04 * i, 0.0, 0.0}), shot);
+    odometry.observe(state, &view, motion);
+  }
+  auto& again = std::get<StereoPair>(view.data);
+  again.left.pixels = std::make_shared<const Bytes>(*again.left.pixels);
+  const Step step = odometry.observe(state, &view, motion);
+  EXPECT_FALSE(step.seen);
+  EXPECT_EQ(step.blind_reason, "frozen");
+  EXPECT_NEAR(planar(step.previous_from_current).x, 0.04, 0.005) << "as commanded, not standing";
+}
+
 TEST(OpenOdometry, WhatIsNoPairIsNamed) {
   OpenDrive drive;
   EXPECT_EQ(drive.without_view().blind_reason, "dropped_frame");

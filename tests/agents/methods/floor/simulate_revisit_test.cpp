@@ -16,7 +16,7 @@ class FloorSimulatesRevisits : public testing::Test {
   }
   /// Relates what the other robot sees under that condition to what this one has seen; an error: it is not found.
   OrRefusal<Related> found(const View& seen, const Revisit& revisit) const {
-    const OrRefusal<View> other = method.simulate_revisit(seen, revisit);
+    const OrRefusal<View> other = method.simulate_view(seen, revisit);
     if (!other) return tl::unexpected(other.error());
     const auto here = method.extract({}, seen);
     const auto there = method.extract({}, *other);
@@ -43,10 +43,19 @@ TEST_F(FloorSimulatesRevisits, TheOtherRobotStandsWhereItIsSaidTo) {
 
 TEST_F(FloorSimulatesRevisits, IsOfTheSameCameraAndFrame) {
   const View seen = view();
-  const OrRefusal<View> other = method.simulate_revisit(seen, {Floor::half_light, {}, 1});
+  const OrRefusal<View> other = method.simulate_view(seen, {Floor::half_light, {}, 1});
   ASSERT_TRUE(other);
   EXPECT_EQ(other->frame, seen.frame);
   EXPECT_EQ(std::get<Image>(other->data).width, std::get<Image>(seen.data).width);
+}
+
+TEST_F(FloorSimulatesRevisits, ReturnsWhatTheOtherRobotExtracts) {
+  const View seen = view();
+  const Revisit revisit{Floor::worn, {0.0, 0.04, 0.02}, 5};
+  const OrRefusal<Revisited<FloorContent>> other = method.simulate_revisit({}, seen, revisit);
+  ASSERT_TRUE(other) << other.error().reason;
+  EXPECT_EQ(other->robot_from_other, revisit.robot_from_other);
+  EXPECT_EQ(method.encode(other->content), method.encode(*method.extract({}, *method.simulate_view(seen, revisit))));
 }
 
 TEST_F(FloorSimulatesRevisits, WorseConditionsLeaveLessToFind) {
@@ -62,12 +71,12 @@ TEST_F(FloorSimulatesRevisits, WorseConditionsLeaveLessToFind) {
 TEST_F(FloorSimulatesRevisits, RefusesWhatIsNoImageOfItsCamera) {
   View marks;
   marks.data = Payload{};
-  ASSERT_FALSE(method.simulate_revisit(marks, {}));
-  EXPECT_EQ(method.simulate_revisit(marks, {}).error().reason, "not_an_image");
+  ASSERT_FALSE(method.simulate_view(marks, {}));
+  EXPECT_EQ(method.simulate_view(marks, {}).error().reason, "not_an_image");
   View small;
   small.data = Image{2, 2, std::make_shared<const Bytes>(4)};
-  ASSERT_FALSE(method.simulate_revisit(small, {}));
-  EXPECT_EQ(method.simulate_revisit(small, {}).error().reason, "wrong_size");
+  ASSERT_FALSE(method.simulate_view(small, {}));
+  EXPECT_EQ(method.simulate_view(small, {}).error().reason, "wrong_size");
 }
 
 }  // namespace
