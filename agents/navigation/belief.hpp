@@ -29,7 +29,10 @@ std::optional<Relation> between(const BeliefConfig& config, const Window& window
 /// and overruled or found anew only by fixes that agree with one another. A value, pure.
 class Belief {
  public:
-  explicit Belief(const BeliefConfig& config) : config_(config) {}
+  /// `posterior`: fixes are what odometry and views say together; those that agree are taken as they are.
+  explicit Belief(const BeliefConfig& config, bool posterior = false) : config_(config) {
+    config_.fuse = config_.fuse && !posterior;
+  }
 
   const std::optional<Estimate>& estimate() const { return estimate_; }
   void advance(const Step& step);
@@ -40,7 +43,7 @@ class Belief {
   void stand(const Estimate& estimate) { estimate_ = estimate; }
 
   /// Takes a fix of a robot that knows about where it is; `predicted` is of the same place. Returns the fix as
-  /// believed (fused). Refused: "disagrees_with_prediction", measured and bound in sigmas.
+  /// believed (fused, or a posterior as it is). Refused: "disagrees_with_prediction", measured and bound in sigmas.
   OrRefusal<Fix> correct(const Fix& fix, const Relation& predicted, const Window& window);
   /// Takes a fix of a robot that knows nothing: it is believed once `needed` in a row agree with one another under
   /// the odometry between them. Refused until then: "unconfirmed".

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "agents/methods/advance.hpp"
@@ -18,7 +19,9 @@ class Charted {
   explicit Charted(const M&) {}
   void advance(const Step&) {}
   void forget() {}
+  void stand() {}
   void believed(const Estimate&) {}
+  void found(const Estimate&) {}
 };
 
 /// Makes the chart anew when the robot has left its middle or the map around it has changed, and hands on to the
@@ -34,16 +37,27 @@ class Charted<M> {
   void advance(const Step& step) { since_ = since_ ? joined(*since_, step) : step; }
   /// Forgets where the robot is, not what else the method has come to believe on its way.
   void forget() { is_placed_ = false; }
+  /// Takes note that where the robot is has been expressed by another place. A belief that is carried on stays.
+  void stand() {
+    if constexpr (!CarriesBelief<M>) forget();
+  }
   /// Replaces the method's belief once navigation has weighed its fix.
   void believed(const Estimate& estimate) {
     if (is_placed_) belief_ = method_->believed(*chart_, *belief_, estimate);
   }
+  /// Takes note that the robot was found by a search, which may be elsewhere: a belief is not carried there.
+  void found(const Estimate& estimate) {
+    if constexpr (CarriesBelief<M>) return forget();
+    believed(estimate);
+  }
+
+  /// Returns whether there is a chart of which that place is in the middle.
+  bool covers(const PlaceId& place) const { return is_placed_ && inside_.contains(place); }
 
   /// Makes the chart around the estimate unless it is still right. `without`: places of that experience are left out.
   void prepare(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Estimate& estimate,
                const std::optional<ExperienceId>& without = std::nullopt) {
-    const bool in_the_middle = is_placed_ && inside_.contains(estimate.place);
-    if (in_the_middle && made_of_.is_same(around(map, made_of_.places.front().id), bytes)) return;
+    if (covers(estimate.place) && made_of_.is_same(around(map, made_of_.places.front().id), bytes)) return;
     made_of_ = {around(map, estimate.place), {}};
     inside_.clear();
     std::vector<ChartPlace<Content>> charted;
@@ -55,11 +69,21 @@ class Charted<M> {
       if (!content && !bytes.find(place.content.hash)) made_of_.missing.push_back(place.content.hash);
       charted.push_back({reached.id, reached.depth, reached.centre_from_place, content ? *content : nullptr});
     }
-    chart_ = std::make_shared<const typename M::Chart>(method_->chart(charted));
-    belief_ = begun(estimate);
-    is_placed_ = true;
-    since_.reset();
+    auto chart = std::make_shared<const typename M::Chart>(method_->chart(charted));
+    move_to(*chart, estimate);
+    chart_ = std::move(chart);
   }
+
+  /// Returns what is believed of where the robot is, in the chart; none: there is no chart of where it is.
+  std::optional<Around<M>> around(const Estimate& estimate) const {
+    if (!is_placed_) return std::nullopt;
+    const auto at = std::find_if(made_of_.places.begin(), made_of_.places.end(),
+                                 [&](const Reached& reached) { return reached.id == estimate.place; });
+    if (at == made_of_.places.end()) return std::nullopt;
+    return Around<M>{chart_.get(), &*belief_, planar(compose(at->centre_from_place, estimate.place_from_robot))};
+  }
+  /// Returns the places that the chart is made of, its centre first.
+  const std::vector<Reached>& places() const { return made_of_.places; }
 
   /// Locates a view, after `prepare`. The belief is the method's own; what the robot believes is in agents' Belief.
   Located<Belief> locate(const Content& seen) {
@@ -87,11 +111,31 @@ class Charted<M> {
     return breadth_first(map, centre, M::chart_size.hops, M::chart_size.places);
   }
 
-  Belief begun(const Estimate& estimate) const {
-    if constexpr (Remembers<M>) {
-      if (belief_) return method_->begin(*chart_, estimate, *belief_);
+  /// Goes on in another chart. A belief that is carried there is one of the last look: the steps since then are still
+  /// to be told, and where the robot is said to be is without them.
+  void move_to(const typename M::Chart& chart, const Estimate& estimate) {
+    if constexpr (CarriesBelief<M>) {
+      if (is_placed_) {
+        belief_ = method_->carried(chart, since_ ? before(estimate, *since_) : estimate, *belief_);
+        return;
+      }
     }
-    return method_->begin(*chart_, estimate);
+    belief_ = begun(chart, estimate);
+    is_placed_ = true;
+    since_.reset();
+  }
+
+  /// Returns where the robot was before a step, no surer of it than now.
+  static Estimate before(const Estimate& now, const Step& step) {
+    return {now.place, compose(now.place_from_robot, inverse(step.previous_from_current)),
+            std::max(0.0, now.blind_m - distance_m(step.previous_from_current))};
+  }
+
+  Belief begun(const typename M::Chart& chart, const Estimate& estimate) const {
+    if constexpr (Remembers<M>) {
+      if (belief_) return method_->begin(chart, estimate, *belief_);
+    }
+    return method_->begin(chart, estimate);
   }
 
   const M* method_;

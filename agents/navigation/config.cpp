@@ -61,6 +61,7 @@ void each_stitch(Config& stitch, const In& in) {
   in("agree_m", stitch.agree_m, Low::open, 0, 0.5);
   in("agree_rad", stitch.agree_rad, Low::open, 0, 0.5);
   in("trusted_sigma_m", stitch.trusted_sigma_m, Low::open, 0, 1);
+  in("most_doubt", stitch.most_doubt, Low::closed, 0, 1);
   in("sure_m", stitch.sure_m, Low::open, 0, 1);
   in("drivable_m", stitch.drivable_m, Low::open, 0, 3);
   in("drivable_rad", stitch.drivable_rad, Low::open, 0, 3.2);
@@ -80,6 +81,7 @@ void each_follow(Config& follow, const In& in) {
   in("unsure_share", follow.unsure_share, Low::open, 0, 1);
   in("arrive_m", follow.arrive_m, Low::open, 0, 0.5);
   in("arrive_rad", follow.arrive_rad, Low::open, 0, 0.5);
+  in("aside_m", follow.aside_m, Low::closed, 0, 3);
   in("stop_short_m", follow.stop_short_m, Low::closed, 0, 0.5);
   in("settle_samples", follow.settle_samples, Low::closed, 0, 1000);
 }

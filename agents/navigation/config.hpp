@@ -54,11 +54,12 @@ struct StitchConfig {
   double agree_m = 0.08;           ///< predicted and related must agree within this; (0, 0.5]
   double agree_rad = 0.06;         ///< (0, 0.5]
   double trusted_sigma_m = 0.08;   ///< a prediction less certain needs a second stitch that agrees; (0, 1]
-  double sure_m = 0.2;             ///< sigma along a path that a stitch may have which knows no pose; (0, 1]
-  double drivable_m = 0.6;         ///< places farther apart cannot be driven across; (0, 3]
-  double drivable_rad = 0.5;       ///< headings that differ by more than this cannot be driven across; (0, 3.2]
-  double across_every_m = 0.6;     ///< way from one stitch to a lane met head-on or across to the next; (0, 10]
-  double merge_m = 2.0;            ///< a change over to the other place's way takes no longer than this; (0, 10]
+  double most_doubt = 0.05;     ///< without a guess: what may speak against a relation, e.g. what has changed; [0, 1]
+  double sure_m = 0.2;          ///< sigma along a path that a stitch may have which knows no pose; (0, 1]
+  double drivable_m = 0.6;      ///< places farther apart cannot be driven across; (0, 3]
+  double drivable_rad = 0.5;    ///< headings that differ by more than this cannot be driven across; (0, 3.2]
+  double across_every_m = 0.6;  ///< way from one stitch to a lane met head-on or across to the next; (0, 10]
+  double merge_m = 2.0;         ///< a change over to the other place's way takes no longer than this; (0, 10]
 };
 
 struct FollowConfig {
@@ -72,6 +73,7 @@ struct FollowConfig {
   double unsure_share = 0.35;       ///< of its speed, that it keeps until it is lost; (0, 1]
   double arrive_m = 0.03;           ///< distance to the goal that is good enough; (0, 0.5]
   double arrive_rad = 0.0175;       ///< (0, 0.5]
+  double aside_m = 1.0;             ///< a method that steers itself leaves its route by no more; [0, 3]
   double stop_short_m = 0.02;       ///< before a released point that is not the goal; [0, 0.5]
   double give_up_s = 30.0;          ///< standing where its route cannot be driven from; (0, 600]
   std::uint32_t settle_samples = 30;  ///< to wait for a fix at the goal before going by what is believed; [0, 1000]

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "agents/navigation/arrival.hpp"
+#include "agents/navigation/manner.hpp"
 #include "agents/navigation/navigator.hpp"
 #include "agents/navigation/route_ahead.hpp"
 
@@ -13,7 +14,7 @@ namespace weft::agents {
 /// pure.
 class Follower {
  public:
-  explicit Follower(const NavigationConfig& config) : config_(config) {}
+  explicit Follower(const NavigationConfig& config, const Manner& manner = {}) : config_(config), manner_(manner) {}
 
   /// Takes a new route, or a new version: goes on from where the robot is, which is not before place `from`.
   void follow(const Route& route, std::uint32_t from = 0);
@@ -35,23 +36,41 @@ class Follower {
   /// a command without one.
   struct Drive {
     std::optional<Ahead> along;  ///< set: steer along this
-    std::optional<Spline> path;  ///< through `along`
+    std::optional<Spline> path;  ///< through `along`; none: the method finds its way
     Navigated navigated;         ///< the command where there is nothing to steer along, progress, state and reason
   };
   Drive look(const Seen& seen);
   /// Steers by the default: spline, Hoffmann, PI.
   Steering steer(const Ahead& ahead, const Spline& path);
+  /// Takes what steering along the path has led to: a command, or a stop, which is given up like any other.
+  void steered(const Steering& steering, Duration elapsed, Navigated& navigated);
 
  private:
   void progress(const RouteAround& around);
   void standing(Navigated& navigated, Following following, std::string_view reason);
   /// Stops a robot that knows where it is and cannot go on from there; after `give_up_s` it gives the route up.
   Drive stuck(Drive drive, const Seen& seen, std::string_view reason);
+  void stuck(Navigated& navigated, Duration elapsed, std::string_view reason);
+  /// Decides how a robot that knows where it is on its route goes on.
+  Drive go_on(Drive drive, const RouteAround& around, const Seen& seen);
+  Drive by_path(Drive drive, const PathAhead& ahead, const RouteAround& around, const Seen& seen);
+  Drive by_places(Drive drive, const PathAhead& ahead, const RouteAround& around, const Seen& seen);
+  /// Begins to turn a robot that stands at the beginning of its way and faces elsewhere; false: it does not.
+  bool turns_first(const RouteAround& around, bool stands);
   Drive turn_on_the_spot(const RouteAround& around);
+  /// Stands at the end of the path: turns on the spot, or the end is reached.
+  Drive at_end_of_path(const PathAhead& ahead, const RouteAround& around, const Seen& seen);
   Drive end_of_path(const RouteAround& around, const Estimate& estimate);
   void fill(Navigated& navigated) const;
 
+  /// Describes a turn on the spot, to the heading of a place or, where it is reached, of the way on from it.
+  struct Turn {
+    std::uint32_t place = 0;
+    bool reaches = false;
+  };
+
   NavigationConfig config_;
+  Manner manner_;
   std::optional<Route> route_;
   std::set<PlaceId> near_;
   std::optional<std::uint32_t> at_;
@@ -59,7 +78,9 @@ class Follower {
   bool arrived_ = false;
   bool at_end_ = false;  // the robot has stopped at the end of the released path
   Duration stuck_{};
-  std::optional<std::uint32_t> turning_to_;  // on the spot, to this place's heading
+  Duration stood_{};          // before this sample, as `stuck_` was
+  bool faces_anew_ = true;    // which way it faces has not been looked at since it could not drive on
+  std::optional<Turn> turn_;  // under way
   Tracker tracker_;
   Arrival arrival_;
 };

@@ -30,7 +30,11 @@ class Localiser {
   };
 
   Localiser(const M& method, const NavigationConfig& config)
-      : method_(&method), config_(config), belief_(config.belief), charted_(method), doubt_(method) {}
+      : method_(&method),
+        config_(config),
+        belief_(config.belief, is_posterior<M>()),
+        charted_(method),
+        doubt_(method) {}
 
   const std::optional<Estimate>& estimate() const { return belief_.estimate(); }
   bool seeking() const { return seek_.active(); }
@@ -90,7 +94,7 @@ class Localiser {
   /// Expresses the same belief relative to another place.
   void stand(const Estimate& estimate) {
     belief_.stand(estimate);
-    charted_.forget();
+    charted_.stand();
   }
   /// Takes over an estimate from another navigator or the agent, with the uncertainty that it states, and ends the
   /// search.
@@ -112,6 +116,17 @@ class Localiser {
     return since_m_ >= config_.locate.every_m || since_rad_ >= config_.locate.every_rad ||
            since_samples_ >=
                (soon ? std::min(soon_samples, config_.locate.standing_samples) : config_.locate.standing_samples);
+  }
+
+  /// Returns the chart around the robot; none: there is none. Where a belief goes on from chart to chart one is made
+  /// at once; else it begins at the next attempt, with what is known then.
+  std::optional<Around<M>> around(const Window& map, const Contents& bytes,
+                                  DecodedContents<M>& decoded) requires ChartsItself<M> {
+    if (!estimate()) return std::nullopt;
+    if constexpr (CarriesBelief<M>) {
+      if (!charted_.covers(estimate()->place)) charted_.prepare(map, bytes, decoded, *estimate());
+    }
+    return charted_.around(*estimate());
   }
 
   Outcome attempt(const Content& seen, const Window& map, const Contents& bytes, DecodedContents<M>& decoded,
@@ -312,7 +327,7 @@ class Localiser {
     }
     outcome.fix = *fix;
     if (!looked_everywhere || settles(seen, map, bytes, decoded, outcome)) {
-      charted_.believed(*estimate());
+      charted_.found(*estimate());
       seek_.end();
     } else {
       belief_ = before;

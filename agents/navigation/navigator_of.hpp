@@ -11,10 +11,13 @@
 #include "agents/navigation/follower.hpp"
 #include "agents/navigation/localiser.hpp"
 #include "agents/navigation/navigator.hpp"
+#include "agents/navigation/on_what_stays.hpp"
 #include "agents/navigation/own_map.hpp"
 #include "agents/navigation/place_learner.hpp"
 #include "agents/navigation/place_trials.hpp"
+#include "agents/navigation/recovery.hpp"
 #include "agents/navigation/run_refinement.hpp"
+#include "agents/navigation/shortcuts.hpp"
 #include "agents/navigation/stitcher.hpp"
 #include "agents/navigation/taught_speed.hpp"
 #include "agents/navigation/teacher.hpp"
@@ -33,7 +36,8 @@ class NavigatorOf final : public Navigator {
         decoded_(method_, std::uint64_t{config.locate.decoded_mb} << 20U),
         localiser_(method_, config),
         stitcher_(method_, config),
-        follower_(config),
+        follower_(config, manner_of<M>()),
+        recovery_(method_),
         learned_places_(method_, config.learn),
         own_(M::name) {}
   NavigatorOf(const NavigatorOf&) = delete;  // its parts point to method_
@@ -62,7 +66,7 @@ class NavigatorOf final : public Navigator {
     own_.update(map.window, map.generation, !teacher_);
     if (teacher_) {
       teacher_->advance(step);
-      trials_->drive(teacher_->driven_m());
+      trials_->drive(teacher_->driven_m(), step.seen ? std::string_view() : step.blind_reason);
       if (finder_) finder_->advance(step);
       if (view != nullptr) find_anchor(map, navigated);
       if (view != nullptr && teacher_->estimate()) trials_->look(*teacher_->estimate(), odometry_, *view);
@@ -74,10 +78,12 @@ class NavigatorOf final : public Navigator {
     if (trials_ && !latest_->content) trials_->work(motion.elapsed);
     navigated.lost = lost();
     if (navigated.lost && !localiser_.seeking()) localiser_.seek_again();
+    recovery_.advance(step, motion.elapsed, !teacher_ && (navigated.lost || (!estimate() && localiser_.seeking())));
     if (sample.hand || teacher_) {
       navigated.reason = "hand";
     } else {
       drive(map, motion, navigated);
+      if (const auto turn = recovery_.turn(odometry_, follower_.route().has_value())) navigated.command = *turn;
     }
     if (config_.learn.enabled) learn(sample.hand, map, navigated);
     return navigated;
@@ -96,7 +102,9 @@ class NavigatorOf final : public Navigator {
     own_.clear();
     stitcher_.clear();
     follower_.stop();
-    teacher_.emplace(config_.teach, start, M::name, M::content_format);
+    recovery_.stopped();
+    kept_last_.reset();
+    teacher_.emplace(config_.teach, start, M::name, M::content_format, drives_both_ways<M>());
     trials_.emplace(method_, config_, start.experience);
   }
 
@@ -175,11 +183,11 @@ class NavigatorOf final : public Navigator {
       finder_.emplace(method_, config_);
       finder_->seek(seed);
       finder_->leave_out(teacher_->start().experience);
-    } else if (lost() && !seed) {
-      localiser_.seek_again();  // what was believed still says where to look first
-    } else {
-      localiser_.seek(seed);
+      return;
     }
+    recovery_.asked();
+    if (lost() && !seed) return localiser_.seek_again();  // what was believed still says where to look first
+    localiser_.seek(seed);
   }
 
   void look_again() override {
@@ -217,24 +225,20 @@ class NavigatorOf final : public Navigator {
   }
 
   void follow(const Route& route, std::uint32_t from) override { follower_.follow(route, from); }
-  void stop() override { follower_.stop(); }
+  void stop() override {
+    follower_.stop();
+    recovery_.stopped();
+  }
 
  private:
   /// Returns the localiser that looks for the robot: while teaching, the one that finds where the run joins the map.
   const Localiser<M>& looks() const { return finder_ ? *finder_ : localiser_; }
 
-  /// Moves what is believed to the nearest place that stays; false: none does. `known`: a map of this method's own.
-  /// Over the places of others a pose would become a distance.
+  /// Moves what is believed to the nearest place that stays; false: none does.
   bool stand_on_what_stays(const Window& known, const Window& after) {
-    const auto all = static_cast<std::uint32_t>(known.places.size());
-    for (const Reached& reached : breadth_first(known, estimate()->place, all, all)) {
-      const Place* const stays = after.place(reached.id);
-      if (stays == nullptr) continue;
-      const Relation there_from_robot = compose(inverse(reached.centre_from_place), estimate()->place_from_robot);
-      localiser_.stand({reached.id, there_from_robot, estimate()->blind_m});
-      return true;
-    }
-    return false;
+    const std::optional<Estimate> there = on_what_stays(*estimate(), known, after);
+    if (there) localiser_.stand(*there);
+    return there.has_value();
   }
 
   using Content = typename M::Content;
@@ -288,6 +292,11 @@ class NavigatorOf final : public Navigator {
 
   Kept keep_here(const Pointer& content) {
     Kept kept = teacher_->keep(method_.encode(*content), latest_->frame, latest_->time);
+    if constexpr (Registers<M>) {
+      if (kept_last_)
+        for (Edge& edge : kept.edges) edge.a_from_b = method_.registered(*kept_last_, *content, edge.a_from_b);
+    }
+    kept_last_ = content;
     decoded_.keep(kept.place.content.hash, content, kept.content.size());
     own_.add(kept.place, kept.edges);
     localiser_.set(Fix{kept.place.id, Metric2{}, {}});
@@ -304,10 +313,20 @@ class NavigatorOf final : public Navigator {
     anchor_.reset();
     auto found = stitcher_.look(own_.map(map.window), map.contents, decoded_, *teacher_, kept.place, *content);
     for (const Edge& edge : found.edges) own_.anchor(edge);
+    if constexpr (Clears<M>) {
+      if (config_.stitch.enabled) cut_short(map, kept);
+    }
     kept.edges.insert(kept.edges.end(), found.edges.begin(), found.edges.end());
     if (found.fix) navigated.fix = found.fix;
     navigated.refusals.insert(navigated.refusals.end(), found.refusals.begin(), found.refusals.end());
     navigated.kept.push_back(std::move(kept));
+  }
+
+  /// Adds the shortcuts that can be seen from a place just kept.
+  void cut_short(const MapView& map, Kept& kept) requires Clears<M> {
+    const auto found = shortcuts(method_, config_, own_.map(map.window), map.contents, decoded_, kept.place.id);
+    for (const Edge& edge : found) own_.anchor(edge);
+    kept.edges.insert(kept.edges.end(), found.begin(), found.end());
   }
 
   /// Looks, at the end of a run, for what it has come back to: distances along its path do not tell.
@@ -391,13 +410,7 @@ class NavigatorOf final : public Navigator {
     navigated.route_freed = drive.navigated.route_freed;
     if (!drive.along) return;
     drive.along->speed_limit_m_s = std::min(drive.along->speed_limit_m_s, taught_speed_at(map, believed->place));
-    const Steering steering = steer(*drive.along, *drive.path);
-    if (steering) {
-      navigated.command = *steering;
-    } else {
-      navigated.following = Following::stopped;
-      navigated.reason = steering.error().reason;
-    }
+    follower_.steered(steer(map, drive), motion.elapsed, navigated);
   }
 
   /// Returns the speed, m/s, at which this stretch was driven when it was taught; where that is not known, that which
@@ -408,12 +421,12 @@ class NavigatorOf final : public Navigator {
     return config_.follow.speed_m_s;
   }
 
-  Steering steer(const Ahead& ahead, const Spline& path) {
+  Steering steer(const MapView& map, const Follower::Drive& drive) {
     if constexpr (SteersItself<M>) {
-      static_cast<void>(path);
-      return method_.steer(ahead);
+      const std::optional<Around<M>> around = localiser_.around(own_.map(map.window), map.contents, decoded_);
+      return method_.steer(odometry_, around ? &*around : nullptr, *drive.along);
     } else {
-      return follower_.steer(ahead, path);
+      return follower_.steer(*drive.along, *drive.path);
     }
   }
 
@@ -425,11 +438,13 @@ class NavigatorOf final : public Navigator {
   Localiser<M> localiser_;
   Stitcher<M> stitcher_;
   Follower follower_;
+  Recovery<M> recovery_;
   typename PlaceLearnerOrNone<M>::Type learned_places_;
   std::optional<Teacher> teacher_;
   std::optional<PlaceTrials<M>> trials_;  // of what is taught, or was taught last
   std::optional<Localiser<M>> finder_;    // looks for where teaching began
   OwnMap own_;
+  Pointer kept_last_;               // the content of the last place taught
   std::optional<Estimate> anchor_;  // where teaching began, until the first place is kept
   std::optional<Latest> latest_;
   std::uint32_t views_not_followed_ = 0;  ///< in succession, up to the latest

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "agents/methods/method.hpp"
 #include "agents/navigation/agreement.hpp"
@@ -31,7 +32,7 @@ class PlaceTrials {
     return fail(ErrorCode::refused,
                 "the method " + std::string(M::name) + " cannot say how what it was taught will be found again");
   }
-  void drive(double) {}
+  void drive(double, std::string_view) {}
   void kept(const PlaceId&, const Pointer&) {}
   void missed(std::string_view) {}
   void look(const Estimate&, const typename M::Odometry&, const View&) {}
@@ -56,7 +57,15 @@ class PlaceTrials<M> {
 
   Result<TeachReport> report() const { return report_; }
 
-  void drive(double driven_m) { report_.driven_m = driven_m; }
+  /// Takes how far it has come, and why nothing was seen of the last step; empty: it was seen.
+  void drive(double driven_m, std::string_view blind_reason) {
+    const double from_m = std::exchange(report_.driven_m, driven_m);
+    if (blind_reason.empty() || driven_m <= from_m) return;
+    std::vector<BlindStretch>& blind = report_.blind;
+    const bool goes_on = !blind.empty() && blind.back().reason == blind_reason && blind.back().to_m == from_m;
+    if (!goes_on) blind.push_back({from_m, from_m, blind_reason});
+    blind.back().to_m = driven_m;
+  }
   void kept(const PlaceId& place, Pointer content) {
     report_.places.push_back({place, report_.driven_m, std::nullopt});
     newest_ = std::move(content);
@@ -122,21 +131,18 @@ class PlaceTrials<M> {
     const double side = random.chance(0.5) ? 1.0 : -1.0;
     const double turned = random.chance(0.5) ? 1.0 : -1.0;
     const Pose2 robot_from_other{0.0, side * random.uniform(0.02, 0.08), turned * random.uniform(0.017, 0.07)};
-    const OrRefusal<View> view = method_->simulate_revisit(first.view, {condition_, robot_from_other, random.next()});
-    if (!view) return tl::unexpected(view.error());
-    OrRefusal<Content> content = method_->extract(first.odometry, *view);
-    if (!content) return tl::unexpected(content.error());
-    return Seen{std::move(*content), compose(first.place_from_robot, Metric2{robot_from_other})};
+    auto other = method_->simulate_revisit(first.odometry, first.view, {condition_, robot_from_other, random.next()});
+    if (!other) return tl::unexpected(other.error());
+    return Seen{std::move(other->content), compose(first.place_from_robot, Metric2{other->robot_from_other})};
   }
 
-  /// Perturbs the guess by the error of a robot that has just localised.
+  /// Perturbs the guess by the error of a robot that looks for the place.
   Trial find(const Waiting& first, Random random) const {
-    constexpr double guess_sigma_m = 0.03;
-    constexpr double guess_sigma_rad = 0.02;
-    const Pose2 off{random.normal(0.0, guess_sigma_m), random.normal(0.0, guess_sigma_m),
-                    random.normal(0.0, guess_sigma_rad)};
+    constexpr GuessError error = revisit_guess<M>();
+    const Pose2 off{random.normal(0.0, error.sigma_m), random.normal(0.0, error.sigma_m),
+                    random.normal(0.0, error.sigma_rad)};
     const Relation& expected = seen_->place_from_other;
-    const Relation guess = with_noise(compose(expected, Metric2{off}), guess_sigma_m, guess_sigma_rad);
+    const Relation guess = with_noise(compose(expected, Metric2{off}), error.sigma_m, error.sigma_rad);
     const OrRefusal<Related> related = method_->relate(*first.content, seen_->content, guess);
     if (!related) return {false, related.error().reason, 0.0};
     if (agreement(expected, related->a_from_b, config_.stitch.agree_m, config_.stitch.agree_rad))

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <map>
 
+#include "agents/navigation/route_facing.hpp"
+#include "agents/navigation/spots.hpp"
 #include "core/network/search.hpp"
 
 namespace weft::agents {
 
 namespace {
-
-constexpr double on_the_spot_m = 0.05;    // a hop shorter than this that turns is no driving
-constexpr double turn_counts_rad = 0.35;  // less than this is driven, not turned
 
 constexpr double gentle_rad = 0.2;  // how steep a bend is driven where there is a choice
 
@@ -28,32 +27,6 @@ bool drivable(const Pose2& from, const Pose2& next, double steepest_rad) {
 /// Returns whether a robot at `from` can get onto a way that leads straight on through `onto`.
 bool merges(const StitchConfig& config, const Pose2& from, const Pose2& onto) {
   return drivable(from, onto * Pose2{config.merge_m, 0.0, 0.0}, gentle_rad);
-}
-
-/// Returns whether the hop from `a` to `b` turns the robot on the spot.
-bool on_the_spot(const RoutePose& a, const RoutePose& b) {
-  const Pose2 hop = a.robot_from_place.inverse() * b.robot_from_place;
-  constexpr double least_turn_rad = 0.025;
-  return hop.translation().norm() < on_the_spot_m && std::abs(hop.heading) > least_turn_rad;
-}
-
-/// Holds the [first, last] positions in `poses` between which the robot turns on the spot; first == last: none.
-struct Spot {
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
-Spot next_spot(const std::vector<RoutePose>& poses, std::size_t from) {
-  const auto stays = [&](std::size_t i) { return on_the_spot(poses[i], poses[i + 1]); };
-  for (std::size_t i = from; i + 1 < poses.size(); ++i) {
-    if (!stays(i)) continue;
-    Spot spot{i, i + 1};
-    while (spot.last + 1 < poses.size() && stays(spot.last)) ++spot.last;
-    const double turn = wrap_angle(poses[spot.last].robot_from_place.heading - poses[i].robot_from_place.heading);
-    if (std::abs(turn) > turn_counts_rad) return spot;
-    i = spot.last - 1;
-  }
-  return {};
 }
 
 void append_end(std::vector<Pose2>& path, const Pose2& end, double steepest_rad) {
@@ -117,6 +90,29 @@ std::optional<Joint> nearest_joined(const NavigationConfig& config, const Window
   return best;
 }
 
+/// Returns how far a place is from the robot, metres, of which its heading is a part.
+double off(const RoutePose& pose) {
+  constexpr double lever_m = 0.3;
+  return std::hypot(pose.robot_from_place.translation().norm(), lever_m * pose.robot_from_place.heading);
+}
+
+/// Returns whether the robot may be at a place, having passed the one at `at`.
+bool may_be_at(const RoutePose& pose, std::optional<std::uint32_t> at, std::uint32_t last) {
+  if (at && (pose.index < *at || pose.index > *at + around_at)) return false;
+  return pose.index <= last;
+}
+
+/// Faces the way that is driven, by which another place may be the nearest.
+void face(RouteAround& around, std::optional<std::uint32_t> at, std::uint32_t last) {
+  face_travel(around.poses);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < around.poses.size(); ++i) {
+    if (!may_be_at(around.poses[i], at, last) || off(around.poses[i]) >= nearest) continue;
+    nearest = off(around.poses[i]);
+    around.nearest = i;
+  }
+}
+
 }  // namespace
 
 std::optional<Joint> joint(const NavigationConfig& config, const Window& window, const Route& route,
@@ -135,7 +131,7 @@ std::optional<Joint> joint(const NavigationConfig& config, const Window& window,
 }
 
 RouteAround around(const NavigationConfig& config, const Route& route, const Joint& joint,
-                   const Relation& believed_from_robot, std::optional<std::uint32_t> at) {
+                   const Relation& believed_from_robot, std::optional<std::uint32_t> at, bool both_ways) {
   const auto last = std::min(route.released, static_cast<std::uint32_t>(route.places.size() - 1));
   const std::uint32_t anchor = std::min(joint.index, static_cast<std::uint32_t>(route.places.size() - 1));
   std::vector<RoutePose> back{
@@ -151,11 +147,8 @@ RouteAround around(const NavigationConfig& config, const Route& route, const Joi
   double since_nearest_m = 0.0;
   const auto weigh = [&](std::size_t position) {
     const RoutePose& pose = result.poses[position];
-    if (at && (pose.index < *at || pose.index > *at + around_at)) return;
-    if (pose.index > last) return;
-    constexpr double lever_m = 0.3;
-    const double apart =
-        std::hypot(pose.robot_from_place.translation().norm(), lever_m * pose.robot_from_place.heading);
+    if (!may_be_at(pose, at, last)) return;
+    const double apart = off(pose);
     if (apart >= nearest) return;
     nearest = apart;
     result.nearest = position;
@@ -170,6 +163,8 @@ RouteAround around(const NavigationConfig& config, const Route& route, const Joi
   }
   while (result.poses.size() > 1 && result.poses.back().index > last) result.poses.pop_back();
   result.nearest = std::min(result.nearest, result.poses.size() - 1);
+  result.robot_from_end = result.poses.back().robot_from_place;
+  if (both_ways) face(result, at, last);
   return result;
 }
 
@@ -179,20 +174,23 @@ PathAhead path_no_steeper(const NavigationConfig& config, const Route& route, co
                           double steepest_rad) {
   const std::vector<RoutePose>& poses = around.poses;
   PathAhead ahead;
-  const Spot spot = next_spot(poses, around.nearest);
-  const std::size_t end = spot.first < spot.last ? spot.first : poses.size() - 1;
+  const std::optional<Spot> spot = next_spot(around);
+  const std::size_t end = spot ? spot->first : poses.size() - 1;
   // From some way behind: a stitch that the robot is just crossing has to be smoothed from the same place as before.
   constexpr double behind_m = 0.8;
   std::size_t first = around.nearest;
-  for (double back_m = 0.0; first > 0 && back_m < behind_m && !on_the_spot(poses[first - 1], poses[first]); --first) {
+  const auto turns_at = [&](std::size_t i) {
+    return poses[i].turn_rad != 0.0 || on_the_spot(poses[i - 1], poses[i]);
+  };
+  for (double back_m = 0.0; first > 0 && back_m < behind_m && !turns_at(first); --first) {
     back_m += (poses[first].robot_from_place.translation() - poses[first - 1].robot_from_place.translation()).norm();
   }
   first = std::min(first, end);
 
-  std::vector<Pose2> path{poses[first].robot_from_place};
+  std::vector<Pose2> path{first < end ? robot_from_way_on(poses[first]) : poses[first].robot_from_place};
   double length_m = 0.0;
   for (std::size_t i = first + 1; i < end; ++i) {
-    const Pose2& next = poses[i].robot_from_place;
+    const Pose2 next = robot_from_way_on(poses[i]);
     if (!drivable(path.back(), next, steepest_rad)) continue;
     length_m += (next.translation() - path.back().translation()).norm();
     path.push_back(next);
@@ -202,9 +200,9 @@ PathAhead path_no_steeper(const NavigationConfig& config, const Route& route, co
   const auto last = std::min(route.released, static_cast<std::uint32_t>(route.places.size() - 1));
   if (!cut && first < end) append_end(path, poses[end].robot_from_place, steepest_rad);
   ahead.reaches_end = !cut && (end < poses.size() - 1 || poses[end].index == last);
-  if (!cut && spot.first < spot.last) {
-    ahead.turn_to_rad = poses[spot.last].robot_from_place.heading;
-    ahead.turn_reaches = poses[spot.last].index;
+  if (!cut && spot) {
+    ahead.turn_to_rad = heading_on(poses[spot->last]);
+    ahead.turn_reaches = poses[spot->last].index;
   }
   ahead.robot_from_path = std::move(path);
   return ahead;

@@ -13,7 +13,8 @@ namespace weft::agents {
 /// Describes a place of the route in the robot's frame.
 struct RoutePose {
   std::uint32_t index = 0;
-  Pose2 robot_from_place;
+  Pose2 robot_from_place;  ///< as the robot comes to face it
+  double turn_rad = 0.0;   ///< to be turned on the spot before the way leads on; routes driven both ways have corners
 };
 
 /// Holds the route around the robot: places by composed relations, from some behind to a segment ahead, none beyond
@@ -21,6 +22,7 @@ struct RoutePose {
 struct RouteAround {
   std::vector<RoutePose> poses;  ///< ascending by index, without gaps
   std::size_t nearest = 0;       ///< position in `poses` of the place nearest to the robot
+  Pose2 robot_from_end;          ///< the last of `poses`, as it was taught
 };
 
 /// Lays out a hop of a route in the plane: a metric relation as it is, one along a path as an arc.
@@ -42,9 +44,9 @@ std::optional<Joint> joint(const NavigationConfig& config, const Window& window,
                            const Estimate& estimate, std::uint32_t from);
 
 /// Lays out the route around the robot. `at`: the last place known to be passed; none at the start, when the nearest
-/// one counts.
+/// one counts. `both_ways`: its places are driven through in either direction, the robot facing the way it drives.
 RouteAround around(const NavigationConfig& config, const Route& route, const Joint& joint,
-                   const Relation& believed_from_robot, std::optional<std::uint32_t> at);
+                   const Relation& believed_from_robot, std::optional<std::uint32_t> at, bool both_ways = false);
 
 /// Describes a path that can be driven forwards: from behind the robot up to `segment_m` ahead, without the places
 /// that step back or jump sideways where experiences are stitched together.

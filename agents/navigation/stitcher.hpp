@@ -185,6 +185,9 @@ class Stitcher {
     const std::optional<Relation> guess = trusted ? std::optional(candidate.place_from_robot) : std::nullopt;
     OrRefusal<Related> related = method_->relate(other, content, guess);
     if (!related) return related;
+    // A robot may be found where something has come or gone; maps are joined only by what is as it was.
+    if (!trusted && related->doubt > config_.stitch.most_doubt)
+      return tl::unexpected(Refusal{"doubtful", related->doubt, config_.stitch.most_doubt});
     const auto agrees = [&](const Relation& predicted, const Difference& allowance) {
       return agreement(predicted, related->a_from_b, config_.stitch.agree_m + allowance.metres,
                        config_.stitch.agree_rad + allowance.radians);

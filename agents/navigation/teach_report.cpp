@@ -37,6 +37,13 @@ void add(const TaughtPlace& place, Tally& tally) {
   if (as_is.found) tally.sigma_m += as_is.sigma_m;
 }
 
+/// Returns "half light: few_inliers".
+std::string in_words(std::string_view condition, std::string_view refusal) {
+  std::string words(condition);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words + ": " + std::string(refusal);
+}
+
 /// Returns the worst condition and its most frequent refusal; of a tie the mildest condition.
 std::string reason_of(const Tally& tally, const std::vector<std::string_view>& conditions) {
   const auto worst =
@@ -44,9 +51,7 @@ std::string reason_of(const Tally& tally, const std::vector<std::string_view>& c
   const Reasons& reasons = tally.refused[worst];
   if (reasons.empty()) return {};
   const auto rarer = [](const auto& a, const auto& b) { return a.second < b.second; };
-  std::string condition(conditions[worst]);
-  std::replace(condition.begin(), condition.end(), '_', ' ');
-  return condition + ": " + std::string(std::max_element(reasons.begin(), reasons.end(), rarer)->first);
+  return in_words(conditions[worst], std::max_element(reasons.begin(), reasons.end(), rarer)->first);
 }
 
 /// Returns the share of places found, its standard error being a binomial's.
@@ -72,6 +77,26 @@ TaughtStretch row_of(const Tally& tally, const std::vector<std::string_view>& co
   if (tally.found[0] > 0) row.sigma_m = tally.sigma_m / tally.found[0];
   row.reason = reason_of(tally, conditions);
   return row;
+}
+
+/// Adds what share of the row's metres was seen. Where that is the worst, the row says why.
+void add_seen(const std::vector<BlindStretch>& blind, TaughtStretch& row) {
+  double blind_m = 0.0;
+  std::map<std::string_view, double> reasons;
+  for (const BlindStretch& stretch : blind) {
+    const double within_m = std::min(stretch.to_m, row.to_m) - std::max(stretch.from_m, row.from_m);
+    if (within_m <= 0.0) continue;
+    blind_m += within_m;
+    reasons[stretch.reason] += within_m;
+  }
+  const double length_m = row.to_m - row.from_m;
+  const double seen = length_m > 0.0 ? std::clamp(1.0 - blind_m / length_m, 0.0, 1.0) : 1.0;
+  const bool is_worst =
+      std::ranges::all_of(row.found, [seen](const Diagnostic& share) { return seen < share.value; });
+  row.found.push_back({std::string(kSeenShare), seen, 0.0, kFoundEnough});
+  if (reasons.empty() || !is_worst) return;
+  const auto shorter = [](const auto& a, const auto& b) { return a.second < b.second; };
+  row.reason = in_words(kSeenShare, std::max_element(reasons.begin(), reasons.end(), shorter)->first);
 }
 
 }  // namespace
@@ -107,6 +132,7 @@ std::vector<TaughtStretch> stretches_of(const TeachReport& report, std::size_t m
     if (!tallies[i].places.empty()) before = tallies[i].places.back()->id;
   }
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) rows[i].to_m = rows[i + 1].from_m;
+  for (TaughtStretch& row : rows) add_seen(report.blind, row);
   return rows;
 }
 

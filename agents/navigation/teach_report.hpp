@@ -31,6 +31,14 @@ struct Missed {
   std::string_view reason;  ///< static text
 };
 
+/// Notes a stretch of which the robot saw nothing while it drove: how far and where to is what it was told, not what
+/// it saw.
+struct BlindStretch {
+  double from_m = 0.0;
+  double to_m = 0.0;
+  std::string_view reason;  ///< static text
+};
+
 /// Reports what a robot has been taught since teaching began, and whether other robots will find it again.
 struct TeachReport {
   ExperienceId experience;
@@ -38,7 +46,11 @@ struct TeachReport {
   double driven_m = 0.0;
   std::vector<TaughtPlace> places;
   std::vector<Missed> missed;
+  std::vector<BlindStretch> blind;
 };
+
+/// Names the share of a stretch's metres in which the robot saw how it moved.
+inline constexpr std::string_view kSeenShare = "seen";
 
 /// Describes a stretch as an operator wants to know it before he leaves it.
 struct TaughtStretch {
@@ -46,12 +58,13 @@ struct TaughtStretch {
   double to_m = 0.0;
   std::uint32_t places = 0;
   PlaceId first;                  ///< of the places; without any the last one before
-  std::vector<Diagnostic> found;  ///< by condition: the share of the places tried that are found
+  std::vector<Diagnostic> found;  ///< by condition: the share of the places tried that are found; last kSeenShare
   double sigma_m = 0.0;           ///< mean, of those that are found as they are
-  std::string reason;  ///< which condition is the worst, and what is refused most often then; empty: none is
+  std::string reason;  ///< which of these is the worst, and what is refused most often then; empty: none is
 };
 
-/// Sets the least share of a stretch's places that must be found; with fewer a robot will not find itself there.
+/// Sets the least share of a stretch's places that must be found, and of its metres that must have been seen; with
+/// fewer a robot will not find itself there.
 inline constexpr double kFoundEnough = 0.5;
 
 /// Returns a row a metre; a way longer than `most` metres has longer ones. Where no place was kept because of what

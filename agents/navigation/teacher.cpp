@@ -15,6 +15,12 @@ Relation Teacher::last_from_robot() const {
   return since_ ? since_->previous_from_current : Relation{Metric2{}};
 }
 
+Drivable Teacher::drivable(const Relation& last_from_kept) const {
+  if (both_ways_) return Drivable::both;
+  // Driven backwards, it can be driven forwards the other way.
+  return planar(last_from_kept).x < -backwards_m ? Drivable::b_to_a : Drivable::a_to_b;
+}
+
 void Teacher::advance(const Step& step) {
   if (!last_) return;
   since_ = since_ ? joined(*since_, step) : step;
@@ -50,8 +56,7 @@ Kept Teacher::keep(Bytes content, std::uint64_t frame, SensorTime time) {
     edge.a_from_b = last_from_robot();
     edge.origin = since_ && !since_->seen ? Origin::blind : Origin::odometry;
     edge.method = method_;
-    // Driven backwards, it can be driven forwards the other way.
-    edge.drivable = planar(edge.a_from_b).x < -backwards_m ? Drivable::b_to_a : Drivable::a_to_b;
+    edge.drivable = drivable(edge.a_from_b);
     kept.edges.push_back(std::move(edge));
   }
   driven_m_.push_back(driven_m_.empty() ? 0.0 : driven_m_.back() + since_m_);

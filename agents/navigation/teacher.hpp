@@ -10,8 +10,10 @@ namespace weft::agents {
 /// Decides when a place is kept and joins it to the one before (Gadd & Newman III-B: by xi_t and xi_R). A value.
 class Teacher {
  public:
-  Teacher(const TeachConfig& config, const TeachStart& start, std::string_view method, std::uint32_t content_format)
-      : config_(config), start_(start), method_(method), content_format_(content_format) {}
+  /// `both_ways`: what is taught is driven in either direction.
+  Teacher(const TeachConfig& config, const TeachStart& start, std::string_view method, std::uint32_t content_format,
+          bool both_ways = false)
+      : config_(config), start_(start), method_(method), content_format_(content_format), both_ways_(both_ways) {}
 
   void advance(const Step& step);
   /// Returns whether a place is due: at the first view, after enough travel or turning since the last place, or if
@@ -36,11 +38,13 @@ class Teacher {
 
  private:
   Relation last_from_robot() const;
+  Drivable drivable(const Relation& last_from_kept) const;
 
   TeachConfig config_;
   TeachStart start_;
   std::string method_;
   std::uint32_t content_format_ = 1;
+  bool both_ways_ = false;
   std::vector<double> driven_m_;  // up to each place kept
   std::optional<PlaceId> last_;
   std::optional<Step> since_;  // the last place; none: has not moved since

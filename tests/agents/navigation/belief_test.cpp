@@ -249,5 +249,34 @@ TEST(NavigationConfig, ARobotSlowsDownBeforeItIsLost) {
   EXPECT_NE(issues[0].message.find("below follow.blind_limit_m"), std::string::npos);
 }
 
+TEST(BeliefOfAPosterior, AFixThatAgreesIsTakenAsItIs) {
+  Belief belief(BeliefConfig{}, true);
+  belief.set(fix_at(kHere, {0, 0, 0}));
+  const Fix fix = fix_at(kHere, {0.03, 0.01, 0.0}, 0.02);
+  const auto believed = belief.correct(fix, belief.estimate()->place_from_robot, two_places());
+  ASSERT_TRUE(believed);
+  EXPECT_TRUE(identical(believed->place_from_robot, fix.place_from_robot)) << "odometry is in it already";
+  EXPECT_TRUE(identical(belief.estimate()->place_from_robot, fix.place_from_robot));
+  Belief weighs{BeliefConfig{}};
+  weighs.set(fix_at(kHere, {0, 0, 0}));
+  const auto fused = weighs.correct(fix, weighs.estimate()->place_from_robot, two_places());
+  ASSERT_TRUE(fused);
+  EXPECT_LT(planar(fused->place_from_robot).x, 0.02);
+}
+
+TEST(BeliefOfAPosterior, IsGatedAndOverruledLikeAnyOther) {
+  Belief belief(BeliefConfig{}, true);
+  belief.set(fix_at(kHere, {0, 0, 0}));
+  const Fix wrong = fix_at(kHere, {0.8, 0, 0});
+  const BeliefConfig config;
+  for (std::uint32_t times = 1; times < config.overrule_fixes; ++times) {
+    const auto refused = belief.correct(wrong, belief.estimate()->place_from_robot, two_places());
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().reason, "disagrees_with_prediction");
+  }
+  ASSERT_TRUE(belief.correct(wrong, belief.estimate()->place_from_robot, two_places()));
+  EXPECT_TRUE(identical(belief.estimate()->place_from_robot, wrong.place_from_robot));
+}
+
 }  // namespace
 }  // namespace weft::agents

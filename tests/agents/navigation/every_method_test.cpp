@@ -7,6 +7,7 @@
 #include "tests/agents/methods/tiny/along_path.hpp"
 #include "tests/agents/methods/tiny/grid_filter.hpp"
 #include "tests/agents/methods/tiny/ramp_stereo.hpp"
+#include "tests/agents/methods/tiny/roamer.hpp"
 #include "tests/agents/methods/tiny/two_place_pnp.hpp"
 #include "tests/support/marks.hpp"
 #include "tests/support/navigated_robot.hpp"
@@ -43,6 +44,15 @@ struct Asked<tiny::GridFilter> {
     bounds.fix_m = 0.05;
     bounds.lateral_m = 0.07;
     bounds.goal_m = 0.07;
+    return bounds;
+  }
+};
+template <>
+struct Asked<tiny::Roamer> {
+  /// Allows for corners that it cuts: it keeps to the places no more than it is held for.
+  static Bounds bounds() {
+    Bounds bounds = Asked<tiny::GridFilter>::bounds();
+    bounds.lateral_m = 0.2;
     return bounds;
   }
 };
@@ -135,8 +145,8 @@ class EveryMethod : public testing::Test {
   Truth truth;
 };
 
-using Methods =
-    testing::Types<MarksMethod, tiny::GridFilter, tiny::TwoPlacePnp, tiny::AlongThePath, tiny::RampStereo>;
+using Methods = testing::Types<MarksMethod, tiny::GridFilter, tiny::TwoPlacePnp, tiny::AlongThePath, tiny::RampStereo,
+                               tiny::Roamer>;
 TYPED_TEST_SUITE(EveryMethod, Methods);
 
 TYPED_TEST(EveryMethod, TeachesAChainOfPlaces) {
@@ -150,7 +160,7 @@ TYPED_TEST(EveryMethod, TeachesAChainOfPlaces) {
     const Pose2 truly = this->truth.at(edge.id.a).inverse() * this->truth.at(edge.id.b);
     EXPECT_LT(test::distance(truly, laid_out(edge.a_from_b)), Asked<TypeParam>::bounds().odometry_m);
     EXPECT_EQ(edge.origin, Origin::odometry);
-    EXPECT_EQ(edge.drivable, Drivable::a_to_b);
+    EXPECT_EQ(edge.drivable, drives_both_ways<TypeParam>() ? Drivable::both : Drivable::a_to_b);
   }
 }
 

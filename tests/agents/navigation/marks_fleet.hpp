@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <string>
 
 #include "agents/navigation/navigator_of.hpp"
 #include "tests/support/marks.hpp"
@@ -10,18 +12,22 @@
 
 namespace weft::agents {
 
-/// Arranges robots with the method `marks` on one floor, one little server, and what is true.
+/// Arranges robots with one method, `marks` unless a test says otherwise, on one floor, one little server, and what
+/// is true.
 class MarksFleet : public testing::Test {
  protected:
   static constexpr ExperienceId first{11};
   static constexpr ExperienceId second{12};
+
+  virtual std::unique_ptr<Navigator> navigator() const { return make_navigator(MarksMethod{}, navigation); }
+  virtual std::string method() const { return "marks"; }
 
   void make_world(const test::MarksWorldConfig& config) { world = test::MarksWorld(config, 77); }
 
   test::NavigatedRobot robot_at(const Pose2& start, std::uint64_t seed) {
     test::MarksRobotConfig config;
     config.base = {0.1, 1, 0.02, 0.02, 0.01};
-    return test::NavigatedRobot(world, config, start, seed, make_navigator(MarksMethod{}, navigation));
+    return test::NavigatedRobot(world, config, start, seed, navigator());
   }
   void teach(ExperienceId experience, const std::vector<Pose2>& path, std::uint64_t seed = 1) {
     test::NavigatedRobot robot = robot_at(path.front(), seed);
@@ -42,7 +48,7 @@ class MarksFleet : public testing::Test {
   PlaceId last_of(ExperienceId experience) const {
     return server.snapshot().experience(experience)->places.back().id;
   }
-  Route route_to_last(const PlaceId& from) const { return server.route(from, last_of(from.experience), "marks"); }
+  Route route_to_last(const PlaceId& from) const { return server.route(from, last_of(from.experience), method()); }
   double believed_error_m(test::NavigatedRobot& robot) const {
     const auto estimate = robot.navigator().estimate();
     if (!estimate) return 1e9;

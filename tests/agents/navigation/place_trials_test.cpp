@@ -23,7 +23,8 @@ class RevisitedMarks : public MarksMethod {
   static constexpr std::array<std::string_view, 3> conditions = {"as_is", "half_light", "worn"};
   explicit RevisitedMarks(std::shared_ptr<AskedOfMarks> asked) : asked_(std::move(asked)) {}
 
-  OrRefusal<View> simulate_revisit(const View& view, const Revisit& revisit) const {
+  OrRefusal<Revisited<Content>> simulate_revisit(const Odometry& odometry, const View& view,
+                                                 const Revisit& revisit) const {
     asked_->revisits.push_back(revisit);
     View other = view;
     Marks seen;
@@ -34,7 +35,9 @@ class RevisitedMarks : public MarksMethod {
       seen.sightings.push_back({mark.mark, revisit.robot_from_other.inverse() * mark.robot_from_mark});
     }
     other.data = seen;
-    return other;
+    OrRefusal<Content> content = extract(odometry, other);
+    if (!content) return tl::unexpected(content.error());
+    return Revisited<Content>{std::move(*content), revisit.robot_from_other};
   }
   OrRefusal<Related> relate(const Content& a, const Content& b, const std::optional<Relation>& guess) const {
     ++asked_->related;
@@ -98,6 +101,23 @@ TEST_F(PlaceTrialsOfMarks, AllConditionsOfAPlaceAreOfOneRobotAndPlacesOfDifferen
     EXPECT_GT(std::abs(asked->revisits[i].robot_from_other.y), 0.01);
   }
   EXPECT_EQ(seeds.size(), asked->revisits.size() / 3);
+}
+
+TEST_F(PlaceTrialsOfMarks, StretchesOfWhichNothingWasSeenAreNoted) {
+  const RevisitedMarks method(asked);
+  PlaceTrials<RevisitedMarks> trials(method, navigation, first);
+  trials.drive(0.5, {});
+  trials.drive(0.6, "no_marks");
+  trials.drive(0.8, "no_marks");
+  trials.drive(0.8, "blurred");
+  trials.drive(0.9, {});
+  trials.drive(1.0, "blurred");
+  const TeachReport report = *trials.report();
+  ASSERT_EQ(report.blind.size(), 2U) << "who stands misses no stretch";
+  EXPECT_EQ(report.blind[0].from_m, 0.5);
+  EXPECT_EQ(report.blind[0].to_m, 0.8);
+  EXPECT_EQ(report.blind[1].from_m, 0.9);
+  EXPECT_EQ(report.blind[1].reason, "blurred");
 }
 
 TEST_F(PlaceTrialsOfMarks, ASampleDoesNoMoreThanItHasTimeFor) {

@@ -14,9 +14,11 @@ Trial refused(std::string_view why) {
   return {false, why, 0.0};
 }
 
+/// Returns the shares found, by condition.
 std::vector<double> shares_of(const TaughtStretch& row) {
   std::vector<double> shares;
-  for (const Diagnostic& share : row.found) shares.push_back(share.value);
+  for (const Diagnostic& share : row.found)
+    if (share.name != kSeenShare) shares.push_back(share.value);
   return shares;
 }
 
@@ -96,6 +98,22 @@ TEST(TeachReportRows, AMetreWithoutAPlaceFindsNothing) {
   EXPECT_EQ(rows[1].first, (PlaceId{kExperience, 3}));
   EXPECT_EQ(shares_of(rows[1]), (std::vector<double>{0.0, 0.0, 0.0}));
   EXPECT_EQ(rows[1].reason, "no place: too_blank");
+}
+
+TEST(TeachReportRows, SayHowMuchOfTheWayWasSeen) {
+  TeachReport way = way_of(3.0);
+  way.places[0].trials = Trials{found(), refused("few_matches"), found()};
+  way.blind = {{0.9, 1.5, "dark"}, {1.6, 1.7, "blurred"}};
+  const auto rows = stretches_of(way, 1000);
+  ASSERT_EQ(rows.size(), 3U);
+  for (const TaughtStretch& row : rows) EXPECT_EQ(row.found.back().name, kSeenShare);
+  EXPECT_NEAR(rows[0].found.back().value, 0.9, 1e-9);
+  EXPECT_EQ(rows[0].reason, "half light: few_matches") << "three of four are fewer than nine tenths";
+  EXPECT_NEAR(rows[1].found.back().value, 0.4, 1e-9);
+  EXPECT_EQ(rows[1].found.back().bound, kFoundEnough);
+  EXPECT_EQ(rows[1].reason, "seen: dark");
+  EXPECT_EQ(rows[2].found.back().value, 1.0);
+  EXPECT_TRUE(rows[2].reason.empty());
 }
 
 TEST(TeachReportRows, WhatIsNotTriedIsNotJudged) {
