@@ -25,7 +25,7 @@ struct AgentConfig {
   std::string body;
   bool can_be_taught_along = false;
   std::vector<msg::Camera> cameras;
-  double footprint_radius_m = 0.4;  ///< (0, 5]
+  double footprint_radius_m = 0.4;  ///< (0, 5]; what others keep clear of around the places that it holds
   std::uint32_t window_hops = 25;
   std::uint32_t window_cap = 2000;
   std::uint64_t content_cache_bytes = 256ULL << 20U;

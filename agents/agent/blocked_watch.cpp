@@ -25,8 +25,10 @@ bool has_moved(const Estimate& from, const Estimate& to) {
 
 }  // namespace
 
-void BlockedWatch::take(const Twist& asked, const std::optional<Estimate>& estimate, SteadyTime now) {
-  const bool drives = std::abs(asked.linear_m_s) > kDrives_m_s || std::abs(asked.angular_rad_s) > kTurns_rad_s;
+void BlockedWatch::take(const Twist& asked, bool sees_something, const std::optional<Estimate>& estimate,
+                        SteadyTime now) {
+  const bool drives =
+      sees_something || std::abs(asked.linear_m_s) > kDrives_m_s || std::abs(asked.angular_rad_s) > kTurns_rad_s;
   if (!drives || !estimate || !stood_at_ || has_moved(*stood_at_, *estimate)) {
     stood_at_ = drives ? estimate : std::nullopt;
     since_ = now;

@@ -5,9 +5,12 @@ namespace {
 
 constexpr const char* kStoppedByOperator = "stopped by an operator";
 constexpr const char* kBlocked = "it is asked to drive and does not move: see what holds it";
+constexpr const char* kStandsBefore =
+    "something stands in its way: after a while it goes another way, if there is one";
 
 std::string reason_of_waiting(const Standing& standing) {
   if (!standing.safety.empty()) return standing.safety;
+  if (standing.condition.sees_something()) return kStandsBefore;
   if (!standing.route_waits_for.empty()) return standing.route_waits_for;
   const std::string& given = standing.task.route()->reason;
   return given.empty() ? standing.condition.stands_for : given;

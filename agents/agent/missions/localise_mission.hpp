@@ -38,6 +38,8 @@ class LocaliseMission {
   void drop() { search_.reset(); }
 
   bool is_active() const { return search_.has_value(); }
+  /// Returns whether an operator waits for the end of the search.
+  bool is_asked_for() const { return search_.has_value() && search_->asked_by.has_value(); }
   bool has_seed() const { return search_.has_value() && search_->seed.has_value(); }
   /// Says how it looks for itself, for people.
   std::string describe() const;

@@ -10,7 +10,8 @@ bool TaughtRun::joins(const Edge& edge) const {
   const ExperienceId from = edge.id.a.experience;
   const bool is_own = from == experience || std::find(others.begin(), others.end(), from) != others.end();
   if (edge.origin != Origin::stitch || edge.drivable == Drivable::none) return false;
-  return !is_own || edge.id.a.experience == edge.id.b.experience;
+  // A shortcut joins nothing: it has been driven another way, and no views were matched.
+  return !is_own || (edge.id.a.experience == edge.id.b.experience && edge.inliers > 0);
 }
 
 void TaughtRun::count(const Kept& place) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "agents/agent/process/recorded_body.hpp"
+#include "agents/agent/process/told_footprint.hpp"
 #include "core/exit_code.hpp"
 #include "core/names.hpp"
 #include "core/protocol/messages.hpp"
@@ -240,7 +241,7 @@ Options read(const Program& program, const Sources& from) {
   options.metrics = from.integer<std::uint16_t>("metrics", 0, 0, 65'535);
   options.records = from.maybe("records");
   options.pace = from.number("pace", 1.0, 0.0, 1000.0);
-  options.footprint_radius_m = from.number("footprint_radius_m", 0.4, 0.01, 5.0);
+  options.footprint_radius_m = from.number("footprint_radius_m", 0.4, 0.01, kMostFootprint_m);
   options.window_hops = from.integer<std::uint32_t>("window_hops", 25, 1, 100'000);
   options.window_cap = from.integer<std::uint32_t>("window_cap", 2000, 1, 1'000'000);
   options.content_cache_mb = from.integer<std::uint64_t>("content_cache_mb", 256, 1, 65'536);
@@ -263,7 +264,11 @@ std::string contradiction(const Options& options) {
     const std::vector<Error> own = check(std::get<Configured<M>>(options.settings).navigation);
     wrong.insert(wrong.end(), own.begin(), own.end());
   });
-  return wrong.empty() ? std::string() : wrong.front().message;
+  if (!wrong.empty()) return wrong.front().message;
+  const double told_m = told_footprint_m(options);
+  if (told_m <= kMostFootprint_m) return {};
+  return "footprint_radius_m " + short_number(options.footprint_radius_m) + " and aside_m are " +
+         short_number(told_m) + " m together, at most " + short_number(kMostFootprint_m);
 }
 
 /// Returns what is missing for the body that was chosen; empty when nothing is.

@@ -10,7 +10,9 @@
 #include "agents/agent/process/identity.hpp"
 #include "agents/agent/process/loop.hpp"
 #include "agents/agent/process/records.hpp"
+#include "agents/agent/process/told_footprint.hpp"
 #include "core/exit_code.hpp"
+#include "core/text.hpp"
 #include "process/clocks.hpp"
 #include "process/log.hpp"
 #include "process/metrics/metrics_server.hpp"
@@ -39,6 +41,11 @@ class StopSignal {
 };
 
 void log_settings(process::Log& log, const Options& options) {
+  const double told_m = told_footprint_m(options);
+  if (told_m > options.footprint_radius_m) {
+    log.info("footprint told to the server: " + short_number(told_m) +
+             " m, as its method may leave its route by aside_m");
+  }
   std::istringstream lines(config::to_text(options.effective));
   for (std::string line; std::getline(lines, line);) log.info("setting " + line);
 }
@@ -66,7 +73,7 @@ AgentConfig config_of(const Options& options, const RobotId& self, const Body& b
                               .height = static_cast<std::uint32_t>(one.rig.camera().height),
                               .calibration = has_file ? *options.calibration : one.rig.camera().id});
   }
-  config.footprint_radius_m = options.footprint_radius_m;
+  config.footprint_radius_m = told_footprint_m(options);
   config.window_hops = options.window_hops;
   config.window_cap = options.window_cap;
   config.content_cache_bytes = options.content_cache_mb << 20U;

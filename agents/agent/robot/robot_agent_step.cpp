@@ -20,7 +20,8 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   condition_.speed_m_s = speed(sample.motion);
   condition_.lost = navigated.lost;
   condition_.stands_for = navigated.reason;
-  condition_.command = navigated.command;
+  condition_.may_look_around = follow_.has_route() || localise_.is_asked_for();
+  condition_.command = condition_.may_look_around ? navigated.command : Twist{};
   reports_.power.take(sample.charge, now);
   obey(sample.safety, navigated.fix.has_value(), now);
   outbox_.expose(navigated.exposes);
@@ -31,7 +32,7 @@ AgentOutput RobotAgent::step(const Sample& sample, SteadyTime now) {
   if (!sample.views.empty() && !teach_.is_active()) keep_place_.on_view(now);
   recogniser_.want(navigator_->question(), now);
   map_.follow_search(navigated.fix.has_value(), map_context(), now);
-  condition_.blocked.take(condition_.allowed_command(), navigator_->estimate(), now);
+  condition_.blocked.take(condition_.allowed_command(), condition_.sees_something(), navigator_->estimate(), now);
   follow_.step(navigated, condition_.is_kept_standing(), now);
   move_window(now);
   teach_.refine(follow_.is_under_way(), now);

@@ -18,7 +18,7 @@ Estimate at(double x_m, std::uint32_t place = 3) {
 struct Blocked : testing::Test {
   /// Lets so many half seconds pass in which the robot is asked that, and is there.
   void pass(int halves, const Twist& asked, const std::optional<Estimate>& estimate) {
-    for (int i = 0; i < halves; ++i) watch.take(asked, estimate, now += 500ms);
+    for (int i = 0; i < halves; ++i) watch.take(asked, false, estimate, now += 500ms);
   }
   SteadyTime now{std::chrono::seconds(100)};
   BlockedWatch watch;
@@ -46,6 +46,15 @@ TEST_F(Blocked, RobotThatIsToStandIsNot) {
   EXPECT_FALSE(watch.is_blocked());
   pass(4, drive, at(0.0));
   EXPECT_FALSE(watch.is_blocked()) << "it has been asked for less than two seconds";
+}
+
+TEST_F(Blocked, RobotWhoseMethodSeesSomethingInItsWayIs) {
+  for (int i = 0; i < 4; ++i) watch.take(Twist{}, true, at(0.0), now += 500ms);
+  EXPECT_FALSE(watch.is_blocked());
+  watch.take(Twist{}, true, at(0.0), now += 500ms);
+  EXPECT_TRUE(watch.is_blocked());
+  watch.take(Twist{}, false, at(0.0), now += 500ms);
+  EXPECT_FALSE(watch.is_blocked()) << "it went away";
 }
 
 TEST_F(Blocked, RobotThatDoesNotKnowWhereItIsCannotTell) {

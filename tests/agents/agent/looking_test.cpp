@@ -143,5 +143,31 @@ TEST_F(Looking, WhoStandsWithARouteMayBeToldToLocalise) {
   EXPECT_EQ(rig.script->sought.size(), 1U);
 }
 
+TEST_F(Looking, ALostRobotTurnsOnTheSpotAtMostAndOnlyWithARoute) {
+  stand(0.0);
+  rig.run(4s);
+  rig.script->answer.lost = true;
+  rig.script->answer.reason = "lost";
+  rig.script->answer.command = {0.3, 0.5};
+  rig.run(1s);
+  EXPECT_EQ(rig.seen.command, Twist{}) << "nobody waits for it";
+  be_sent_along(1, 5);
+  rig.run(1s);
+  EXPECT_EQ(rig.seen.command, (Twist{0.0, 0.5}));
+  rig.tell(rig.command(Kind::stop, 2));
+  rig.run(1s);
+  EXPECT_EQ(rig.seen.command, Twist{}) << "an operator has stopped it";
+}
+
+TEST_F(Looking, OneThatDoesNotKnowWhereItIsTurnsForWhoHasAsked) {
+  rig.script->answer.command = {0.0, 0.5};
+  rig.run(30s);
+  ASSERT_FALSE(rig.script->sought.empty());
+  EXPECT_EQ(rig.seen.command, Twist{}) << "it looks of its own accord";
+  rig.tell(rig.command(Kind::localise, 2));
+  rig.run(2s);
+  EXPECT_EQ(rig.seen.command, (Twist{0.0, 0.5}));
+}
+
 }  // namespace
 }  // namespace weft::agents::test

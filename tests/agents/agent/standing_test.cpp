@@ -86,6 +86,16 @@ TEST(Standing, WaitingSaysWhatItWaitsForThenTheServersReasonThenTheNavigators) {
   EXPECT_EQ(told.reason(), "waits for the map of its route");
 }
 
+TEST(Standing, RobotBeforeSomethingThatItsMethodSeesSaysSo) {
+  StandingBench bench;
+  bench.take_route("waits for r2");
+  bench.condition.stands_for = kSomethingAhead;
+  EXPECT_TRUE(bench.condition.sees_something());
+  EXPECT_EQ(bench.reason(), "something stands in its way: after a while it goes another way, if there is one");
+  bench.condition.stopped = true;
+  EXPECT_FALSE(bench.condition.sees_something()) << "an operator has it stand";
+}
+
 TEST(Standing, TaughtRobotThatIsStoppedSaysSo) {
   StandingBench bench;
   bench.taught = "hand_done";
@@ -105,6 +115,16 @@ TEST(Condition, CommandIsInForceOnlyForARobotThatMayMove) {
     EXPECT_EQ(held.allowed_command().linear_m_s, 0.0);
     EXPECT_EQ(held.allowed_command().angular_rad_s, 0.0);
   }
+}
+
+TEST(Condition, ALostRobotThatMayLookAroundTurnsAndDoesNotDrive) {
+  Condition condition;
+  condition.command = {0.5, 0.1};
+  condition.lost = true;
+  condition.may_look_around = true;
+  EXPECT_EQ(condition.allowed_command(), (Twist{0.0, 0.1}));
+  condition.stopped = true;
+  EXPECT_EQ(condition.allowed_command(), Twist{});
 }
 
 }  // namespace

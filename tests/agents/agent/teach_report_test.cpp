@@ -39,13 +39,14 @@ TEST_F(TeachReports, SaysMetreByMetreHowFarItHasCome) {
   ASSERT_TRUE(reply.done) << reply.reason;
   EXPECT_EQ(reply.experience, (ExperienceId{0xE5}));
   ASSERT_EQ(reply.report.size(), 2U);
-  EXPECT_EQ(reply.report[0], (msg::TaughtStretch{0.0,
-                                                 1.0,
-                                                 5,
-                                                 {{0xE5}, 0},
-                                                 {{"as_is", 1.0, 0.0, 0.5}, {"half_light", 1.0, 0.0, 0.5}},
-                                                 reply.report[0].sigma_m,
-                                                 ""}));
+  EXPECT_EQ(reply.report[0],
+            (msg::TaughtStretch{0.0,
+                                1.0,
+                                5,
+                                {{0xE5}, 0},
+                                {{"as_is", 1.0, 0.0, 0.5}, {"half_light", 1.0, 0.0, 0.5}, {"seen", 1.0, 0.0, 0.5}},
+                                reply.report[0].sigma_m,
+                                ""}));
   EXPECT_NEAR(reply.report[0].sigma_m, 0.004, 1e-9);
   EXPECT_EQ(reply.report[1].found[0], (Diagnostic{"as_is", 1.0, 0.0, 0.5}));
   EXPECT_EQ(reply.report[1].found[1], (Diagnostic{"half_light", 0.0, 0.0, 0.5}));

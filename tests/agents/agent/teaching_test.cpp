@@ -174,11 +174,15 @@ TEST(Teaching, WhoeverHasTaughtIsToldWhetherItIsJoined) {
   const auto stitch = [](std::uint64_t a, std::uint64_t b) {
     Edge edge = an_edge({ExperienceId{a}, 1}, {ExperienceId{b}, 20});
     edge.origin = Origin::stitch;
+    edge.inliers = 20;
     return edge;
   };
   EXPECT_TRUE(run.joins(stitch(3, 7)));
   EXPECT_TRUE(run.joins(stitch(7, 7))) << "a loop";
   EXPECT_FALSE(run.joins(stitch(7, 8))) << "two cameras at one place";
+  Edge shortcut = stitch(7, 7);
+  shortcut.inliers = 0;
+  EXPECT_FALSE(run.joins(shortcut)) << "nothing was recognised";
   Edge hop = stitch(7, 7);
   hop.origin = Origin::odometry;
   EXPECT_FALSE(run.joins(hop));
