@@ -33,8 +33,8 @@ std::vector<std::pair<std::string, Point>> labels_below(const Mosaic& mosaic, co
 
 }  // namespace
 
-Result<void> draw_mosaic(const Mosaic& mosaic, const Window& network, const Layout& layout, const std::string& detail,
-                         const std::string& file) {
+Result<void> draw_mosaic(const Mosaic& mosaic, const Window& network, const Layout& layout, const std::string& title,
+                         const std::string& detail, const std::string& file) {
   const auto [low, high] = mosaic.extent();
   Sheet sheet = fit({low, high});
   const WidthOf width = text_widths();
@@ -52,7 +52,7 @@ Result<void> draw_mosaic(const Mosaic& mosaic, const Window& network, const Layo
   cairo_matrix_t sheet_from_cells{};
   cairo_matrix_init(&sheet_from_cells, cell, 0.0, 0.0, cell, corner.x, corner.y);
   if (const Result<void> painted = paint(canvas->pen(), cells_of(mosaic), sheet_from_cells); !painted) return painted;
-  paint_head(*canvas, sheet, "Weft mosaic, revision " + std::to_string(network.revision.value), detail);
+  paint_head(*canvas, sheet, title + ", revision " + std::to_string(network.revision.value), detail);
   for (const Tag& tag : tags) paint_ring(*canvas, tag.wish.anchor, kInk);
   paint_tags(*canvas, tags);
   return canvas->finish();

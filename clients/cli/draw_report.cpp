@@ -41,7 +41,7 @@ Result<void> draw_report(const std::vector<msg::TaughtStretch>& report, const st
   chart.title = "Teach report: places that another robot will find again";
   chart.about = about;
   chart.x_label = "metres taught, m";
-  chart.y_label = "places found, %";
+  chart.y_label = "places found, metres seen, %";
   chart.x = {from_m, to_m};
   chart.y = {-4.0, 104.0};
   chart.curves = lines_of(report);

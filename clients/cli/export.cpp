@@ -33,7 +33,11 @@ Result<std::string> written(const Result<Value>& value, Write&& write) {
 
 bool has_poses(const std::string& file) {
   static const std::set<std::string> kWithPoses = {".g2o", ".geojson", ".dot", ".graphml", ".tum"};
-  return kWithPoses.contains(ending_of(file));
+  return kWithPoses.contains(ending_of(file)) || is_of_clouds(file);
+}
+
+bool is_of_clouds(const std::string& file) {
+  return ending_of(file) == ".pcd" || ending_of(file) == ".ply";
 }
 
 Result<std::string> export_text(const Window& network, const Layout& layout, const Names& names, const RunNames& runs,

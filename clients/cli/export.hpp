@@ -17,4 +17,7 @@ Result<std::string> export_text(const Window& network, const Layout& layout, con
 /// Returns whether such a file has poses, so that anchors mean something.
 bool has_poses(const std::string& file);
 
+/// Returns whether a file of that name holds the clouds of places, and not the network.
+bool is_of_clouds(const std::string& file);
+
 }  // namespace weft::cli

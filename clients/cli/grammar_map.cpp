@@ -45,7 +45,9 @@ void Grammar::map() {
   CLI::App* const exported = add(*map, "export", "Write the network into a file", Command::map_export);
   exported
       ->add_option("OUT", into_.file,
-                   "*.g2o | *.geojson (Nav2 route graph) | *.dot | *.graphml | *.tum; any other name: JSON")
+                   "*.g2o | *.geojson (Nav2 route graph) | *.dot | *.graphml | *.tum | *.pcd and *.ply (the clouds "
+                   "of places); "
+                   "any other name: JSON")
       ->type_name("")
       ->required();
   exported
@@ -55,8 +57,9 @@ void Grammar::map() {
   anchors(*exported);
   CLI::Option* const plan =
       exported
-          ->add_option("--plan", into_.plan,
-                       "In the frame of that registered floor plan [*.geojson and *.tum: of the only one]")
+          ->add_option(
+              "--plan", into_.plan,
+              "In the frame of that registered floor plan [*.geojson, *.tum, *.pcd and *.ply: of the only one]")
           ->type_name("NAME");
   exported->add_flag("--no-plan", into_.no_plan, "In a frame of its own, all parts, although a plan is registered")
       ->excludes(plan);
@@ -80,12 +83,24 @@ void Grammar::mosaic(CLI::App& draw, CLI::Option& ground, CLI::Option& robots) {
                     "plan if there is one; with labels and a scale")
           ->excludes(&ground)
           ->excludes(&robots);
-  CLI::Option* const plan = draw.add_option("--plan", into_.plan, "With --mosaic: in the frame of that one")
-                                ->type_name("NAME")
-                                ->needs(mosaic);
-  draw.add_flag("--no-plan", into_.no_plan, "With --mosaic: in a frame of its own, all parts")
-      ->needs(mosaic)
-      ->excludes(plan);
+  CLI::Option* const clouds =
+      draw.add_flag("--clouds", into_.draws_clouds,
+                    "Instead: the clouds of places, laid together, as seen from above, in the same frame")
+          ->excludes(&ground)
+          ->excludes(&robots)
+          ->excludes(mosaic);
+  CLI::Option* const plan =
+      draw.add_option("--plan", into_.plan, "With --mosaic or --clouds: in the frame of that one")->type_name("NAME");
+  CLI::Option* const no_plan =
+      draw.add_flag("--no-plan", into_.no_plan, "With --mosaic or --clouds: in a frame of its own, all parts")
+          ->excludes(plan);
+  // Takes the place of the callback that add() gave.
+  draw.callback([this, mosaic, clouds, plan, no_plan] {
+    into_.command = Command::map_draw;
+    const bool has_frame = plan->count() > 0 || no_plan->count() > 0;
+    if (has_frame && mosaic->count() == 0 && clouds->count() == 0)
+      throw CLI::RequiresError(plan->count() > 0 ? "--plan" : "--no-plan", "--mosaic or --clouds");
+  });
 }
 
 void Grammar::past(CLI::App& map) {

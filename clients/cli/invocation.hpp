@@ -88,6 +88,7 @@ struct Invocation {
   std::string experience;          ///< map export: a name, an id or its beginning
   bool draws_robots = false;       ///< map draw: robots too, and what they hold
   bool draws_mosaic = false;       ///< map draw: the patches of places in place of the network
+  bool draws_clouds = false;       ///< map draw: the clouds of places in place of the network
   Revision at;                     ///< map draw, map export: as it was then; 0: as it is
   Revision from, to;               ///< map diff; map log: the newest to show (to)
   std::uint32_t most = 20;         ///< map log: how many

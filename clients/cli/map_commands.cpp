@@ -39,6 +39,10 @@ Exit info(Session& session, const Invocation& invocation, const Output& output) 
   return Exit::done;
 }
 
+bool is_drawn(const Invocation& invocation) {
+  return invocation.command == Command::map_draw;
+}
+
 /// Moves the network into the frame of a registered floor plan, if one is wanted.
 Result<std::optional<Laid>> lay_on_plan(Session& session, const Window& network, const Invocation& invocation) {
   if (!wants_plan(invocation)) return std::nullopt;
@@ -54,7 +58,7 @@ Result<std::optional<Laid>> lay_on_plan(Session& session, const Window& network,
 
 Result<Laid> lay(Session& session, Window network, const Invocation& invocation) {
   const std::vector<Anchor>& anchors = invocation.anchors;
-  const bool wants_poses = invocation.command == Command::map_draw || has_poses(invocation.file);
+  const bool wants_poses = is_drawn(invocation) || has_poses(invocation.file);
   if (!wants_poses) return Laid{std::move(network), {}, {}};
   Result<std::optional<Laid>> on_plan = lay_on_plan(session, network, invocation);
   if (!on_plan) return fail(on_plan.error());
@@ -69,7 +73,7 @@ Result<Laid> lay(Session& session, Window network, const Invocation& invocation)
 
 /// Checks that the parts of the command line go together. invalid: what does not.
 Result<void> check(const Invocation& invocation) {
-  const bool draws = invocation.command == Command::map_draw;
+  const bool draws = is_drawn(invocation);
   if (draws && !invocation.anchors.empty() && invocation.floor_plan.empty()) {
     return fail(ErrorCode::invalid, "--anchor goes with --floor-plan: it says where the network lies on that");
   }
@@ -106,6 +110,8 @@ Exit run_map(Session& session, const Invocation& invocation, const Output& outpu
   Result<Laid> laid = lay(session, *std::move(network), invocation);
   if (!laid) return report(laid.error(), invocation.json, output);
   if (invocation.draws_mosaic) return run_map_mosaic(session, *laid, invocation, output);
+  if (invocation.draws_clouds || (!is_drawn(invocation) && is_of_clouds(invocation.file)))
+    return run_map_clouds(session, *laid, invocation, output);
   if (invocation.command == Command::map_draw)
     return run_map_draw(session, *std::move(laid), robots->robots, invocation, output);
   const Result<RunNames> runs = query_run_names(session, patience(invocation));

@@ -53,7 +53,8 @@ Exit run_map_mosaic(Session& session, const Laid& laid, const Invocation& invoca
   const Mosaic mosaic = lay_mosaic(laid_patches(patches, laid));
   const std::string detail = detail_of_mosaic(laid, patches.count(), mosaic);
   const std::string below_title = laid.caption.empty() ? detail : detail + ", " + laid.caption;
-  const Result<void> drawn = draw_mosaic(mosaic, laid.network, laid.layout, below_title, invocation.file);
+  const Result<void> drawn =
+      draw_mosaic(mosaic, laid.network, laid.layout, "Weft mosaic", below_title, invocation.file);
   if (!drawn) return report(drawn.error(), invocation.json, output);
   const nlohmann::json more = {{"patches", patches.count()}, {"metres_per_pixel", mosaic.metres_per_pixel}};
   say_written(laid.network, laid.caption, {{"mosaic", more}}, invocation, output);

@@ -14,11 +14,16 @@ namespace {
 
 using Command = Invocation::Command;
 
-/// Returns whether what is written is one of those files that robots' maps and evaluations are compared by, or a
-/// mosaic: they are in the plan's frame when there is one.
+/// Returns whether a picture is of what places show, and not of the network.
+bool shows_contents(const Invocation& invocation) {
+  return invocation.draws_mosaic || invocation.draws_clouds;
+}
+
+/// Returns whether what is written is one of those files that robots' maps and evaluations are compared by, or shows
+/// what places show: they are in the plan's frame when there is one.
 bool is_for_the_site(const Invocation& invocation) {
   const std::string ending = ending_of(invocation.file);
-  return invocation.draws_mosaic || ending == ".geojson" || ending == ".tum";
+  return shows_contents(invocation) || is_of_clouds(invocation.file) || ending == ".geojson" || ending == ".tum";
 }
 
 std::string known_plans(const std::vector<Registration>& known) {
@@ -69,14 +74,14 @@ std::string plan_name(const std::string& file) {
 
 bool wants_plan(const Invocation& invocation) {
   if (!invocation.anchors.empty() || invocation.no_plan) return false;
-  if (invocation.command == Command::map_draw && !invocation.draws_mosaic) return !invocation.floor_plan.empty();
+  if (invocation.command == Command::map_draw && !shows_contents(invocation)) return !invocation.floor_plan.empty();
   return !invocation.plan.empty() || is_for_the_site(invocation);
 }
 
 Result<std::optional<Registration>> wanted_registration(const std::vector<Registration>& known,
                                                         const Invocation& invocation) {
   if (!wants_plan(invocation)) return std::nullopt;
-  if (invocation.command == Command::map_draw && !invocation.draws_mosaic)
+  if (invocation.command == Command::map_draw && !shows_contents(invocation))
     return of_floor_plan(known, invocation.floor_plan);
   if (!invocation.plan.empty()) {
     Result<Registration> named = of_name(known, invocation.plan);

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 #include <utility>
+
+#include "clients/cli/answer_parts.hpp"
 
 namespace weft::cli {
 namespace {
@@ -13,58 +14,17 @@ using namespace std::chrono_literals;
 constexpr Duration kRepeatFirst = 500ms;
 constexpr Duration kRepeatMost = 2s;
 constexpr Duration kListen = 100ms;
+/// Bounds how long nobody answers before the link is opened anew, and doubles each time: what was known of the server
+/// may be of where it was, though it is heard.
+constexpr Duration kUnanswered = 10s;
+
+/// Returns whether the server says that to this client, which it then has heard.
+bool is_for(const msg::Message& message, const PeerId& self) {
+  const auto* const reply = std::get_if<msg::OperatorReply>(&message);
+  const auto* const answer = std::get_if<msg::QueryReply>(&message);
+  return (reply != nullptr && reply->to == self) || (answer != nullptr && answer->to == self);
+}
 constexpr std::size_t kMostUnkept = 1000;
-
-template <class T>
-void append(std::vector<T>& all, const std::vector<T>& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
-/// Puts the pieces of one answer together, by their number.
-template <class T>
-class Pieces {
- public:
-  /// Adds a piece. Returns true once all are there.
-  bool add(std::uint32_t part, std::uint32_t parts, const T& piece) {
-    if (parts == 0 || part >= parts) return false;
-    if (parts != parts_) {
-      pieces_.clear();
-      parts_ = parts;
-    }
-    pieces_.insert_or_assign(part, piece);
-    return pieces_.size() == parts_;
-  }
-  const std::map<std::uint32_t, T>& all() const { return pieces_; }
-
- private:
-  std::uint32_t parts_ = 0;
-  std::map<std::uint32_t, T> pieces_;
-};
-
-msg::QueryReply join(const std::map<std::uint32_t, msg::QueryReply>& parts) {
-  msg::QueryReply all = parts.begin()->second;
-  for (auto part = std::next(parts.begin()); part != parts.end(); ++part) {
-    append(all.robots, part->second.robots);
-    append(all.goals, part->second.goals);
-    append(all.routes, part->second.routes);
-    append(all.arrivals, part->second.arrivals);
-    append(all.events, part->second.events);
-    append(all.alarms, part->second.alarms);
-    append(all.log, part->second.log);
-    append(all.network.places, part->second.network.places);
-    append(all.network.edges, part->second.network.edges);
-    append(all.network.aparts, part->second.network.aparts);
-    append(all.network.rules, part->second.network.rules);
-    append(all.network.registrations, part->second.network.registrations);
-    append(all.rules, part->second.rules);
-    append(all.registrations, part->second.registrations);
-    append(all.experiences, part->second.experiences);
-    append(all.awaited_labels, part->second.awaited_labels);
-    all.network.labels.insert(part->second.network.labels.begin(), part->second.network.labels.end());
-  }
-  all.parts = 1;
-  return all;
-}
 
 }  // namespace
 
@@ -130,9 +90,12 @@ Result<void> Session::converse(const msg::Message& question, Duration at_most,
   const SteadyTime end = world_.now() + at_most;
   SteadyTime send_at = world_.now();
   Duration wait = kRepeatFirst;
+  Duration patience = kUnanswered;
+  SteadyTime anew_at = world_.now() + patience;
   while (true) {
     while (const std::optional<msg::Message> message = link_.take()) {
       note_unasked(*message);
+      if (is_for(*message, self_)) anew_at = world_.now() + patience;
       if (heard(*message)) return {};
     }
     const SteadyTime now = world_.now();
@@ -142,6 +105,11 @@ Result<void> Session::converse(const msg::Message& question, Duration at_most,
       std::ignore = link_.send(question);
       send_at = now + wait;
       wait = std::min(wait * 2, kRepeatMost);
+    }
+    if (now >= anew_at) {
+      link_.bus().open_anew();
+      patience *= 2;
+      anew_at = now + patience;
     }
     world_.wait(std::min({kListen, send_at - now, end - now}));
   }
@@ -195,18 +163,18 @@ Result<msg::OperatorReply> Session::ask(msg::OperatorRequest request, Duration a
 Result<msg::QueryReply> Session::query(msg::Query query, Duration at_most) {
   query.header = header();
   query.request = random_.next() | 1U;
-  Pieces<msg::QueryReply> pieces;
+  AnswerParts parts;
   const Result<void> heard = converse(query, at_most, [&](const msg::Message& message) {
     const auto* const reply = std::get_if<msg::QueryReply>(&message);
     if (reply == nullptr || reply->to != self_ || reply->request != query.request) return false;
-    return pieces.add(reply->part, reply->parts, *reply);
+    return parts.add(*reply);
   });
   if (!heard) {
     return fail(ErrorCode::timed_out, "the server did not answer in " +
                                           std::to_string(std::lround(seconds(at_most))) +
                                           " s: try again, or give a longer --timeout");
   }
-  msg::QueryReply whole = join(pieces.all());
+  msg::QueryReply whole = parts.joined();
   if (whole.outcome == msg::Outcome::refused) return fail(ErrorCode::refused, std::move(whole.message));
   if (whole.outcome == msg::Outcome::failed) return fail(ErrorCode::internal, std::move(whole.message));
   return whole;
@@ -227,86 +195,6 @@ Result<Window> Session::network(Wanted wanted, Duration at_most, const PageProgr
     if (under_way) under_way(network);
   }
   return network.take();
-}
-
-Result<void> Session::upload(Uploader& uploader, Duration quiet) {
-  SteadyTime give_up = world_.now() + quiet;
-  std::size_t acknowledged = uploader.acknowledged();
-  while (!uploader.done()) {
-    for (msg::Message& message : uploader.due(world_.now())) {
-      if (auto* const batch = std::get_if<msg::ExperienceBatch>(&message)) batch->header = header();
-      if (auto* const chunk = std::get_if<msg::Chunk>(&message)) chunk->header = header();
-      // What a full queue does not take is asked for, or repeated, later.
-      std::ignore = link_.send(message);
-    }
-    while (const std::optional<msg::Message> message = link_.take()) {
-      const auto* const ack = std::get_if<msg::BatchAck>(&*message);
-      if (ack == nullptr || ack->to != self_) continue;
-      if (const Result<void> heard = uploader.hear(*ack); !heard) return heard;
-    }
-    if (uploader.acknowledged() > acknowledged) {
-      acknowledged = uploader.acknowledged();
-      give_up = world_.now() + quiet;
-    }
-    if (world_.now() >= give_up) {
-      return fail(ErrorCode::timed_out, "the server has acknowledged " + std::to_string(acknowledged) +
-                                            " batches and no more for " +
-                                            std::to_string(std::lround(seconds(quiet))) +
-                                            " s: look with `weft doctor`, then import again under the same name");
-    }
-    if (!uploader.done()) world_.wait(kListen);
-  }
-  return {};
-}
-
-Result<void> Session::fetch(ContentFetcher& fetcher, Duration quiet) {
-  SteadyTime give_up = world_.now() + quiet;
-  std::uint64_t received = 0;
-  while (!fetcher.done()) {
-    if (std::optional<msg::ContentRequest> request = fetcher.due(world_.now())) {
-      request->header = header();
-      std::ignore = link_.send(*request);  // what a full queue does not take is asked for again
-    }
-    while (const std::optional<msg::Message> message = link_.take()) {
-      const auto* const chunk = std::get_if<msg::Chunk>(&*message);
-      if (chunk == nullptr || chunk->to != self_) continue;
-      if (const Result<void> heard = fetcher.hear(*chunk, world_.now()); !heard) return heard;
-    }
-    if (fetcher.received() > received) {
-      received = fetcher.received();
-      give_up = world_.now() + quiet;
-    }
-    if (world_.now() >= give_up) {
-      return fail(ErrorCode::timed_out, "the server has sent " + std::to_string(fetcher.fetched()) + " of " +
-                                            std::to_string(fetcher.wanted()) + " contents and no more for " +
-                                            std::to_string(std::lround(seconds(quiet))) +
-                                            " s: look with `weft doctor` and `weft map check`, then try again");
-    }
-    if (!fetcher.done()) world_.wait(kListen);
-  }
-  return {};
-}
-
-Result<EchoReport> Session::measure(Duration at_most) {
-  const SteadyTime give_up = world_.now() + at_most;
-  EchoProbe probe(random_.next() | 1U, world_.now());
-  while (!probe.done(world_.now())) {
-    while (const std::optional<msg::Message> message = link_.take()) {
-      const auto* const echo = std::get_if<msg::Echo>(&*message);
-      if (echo != nullptr && echo->to == self_) probe.hear(*echo, world_.now());
-    }
-    if (!probe.reaches() && world_.now() >= give_up) {
-      return fail(ErrorCode::timed_out, "the server gave no echo back in " +
-                                            std::to_string(std::lround(seconds(at_most))) +
-                                            " s: is it of an older version, or measured by others at this moment?");
-    }
-    if (std::optional<msg::Echo> echo = probe.due(world_.now())) {
-      echo->header = header();
-      std::ignore = link_.send(*echo);  // what a full queue does not take is lost
-    }
-    world_.wait(std::clamp(probe.next() - world_.now(), Duration{1ms}, kListen));
-  }
-  return probe.report();
 }
 
 }  // namespace weft::cli

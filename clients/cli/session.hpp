@@ -77,7 +77,8 @@ class Session {
   void note(const msg::Hello& hello);
   void note(const msg::EventNote& event);
   void note_unasked(const msg::Message& message);
-  /// Sends with growing pauses until `heard` says that the answer is whole.
+  /// Sends with growing pauses until `heard` says that the answer is whole. Has the link opened anew where nothing is
+  /// answered for long.
   Result<void> converse(const msg::Message& question, Duration at_most,
                         const std::function<bool(const msg::Message&)>& heard);
 

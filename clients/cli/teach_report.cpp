@@ -11,7 +11,9 @@
 namespace weft::cli {
 namespace {
 
-/// Describes a condition under which places may have to be found, as robots name them.
+constexpr const char* kSeen = "seen";  // of metres, not of places
+
+/// Describes a condition under which places may have to be found, as robots name them, or the way to them.
 struct Condition {
   const char* name;
   const char* words;
@@ -25,6 +27,8 @@ constexpr std::array kConditions{
               "keep the light as it is, or clean the lens or give more light, and teach them again"},
     Condition{"worn", "on a worn floor", "will not be found on a worn or dirty floor",
               "keep the floor clean there, and teach them again when it has changed"},
+    Condition{kSeen, "seen while it drove", "were driven nearly blind",
+              "how far and where to is a guess: give light and something to see there, and teach them again"},
 };
 
 const Condition* known(const std::string& name) {
@@ -69,11 +73,12 @@ std::string heading_of(std::string name) {
 
 /// Returns ", in half the light and on a worn floor too"; empty: places are tried as they are alone.
 std::string worse_conditions(const msg::TaughtStretch& stretch) {
+  std::vector<std::string> conditions;
+  for (std::size_t i = 1; i < stretch.found.size(); ++i)
+    if (stretch.found[i].name != kSeen) conditions.push_back(words_for(stretch.found[i].name));
   std::string words;
-  for (std::size_t i = 1; i < stretch.found.size(); ++i) {
-    const bool is_last = i + 1 == stretch.found.size();
-    words += (i == 1 ? ", " : is_last ? " and " : ", ") + words_for(stretch.found[i].name);
-  }
+  for (std::size_t i = 0; i < conditions.size(); ++i)
+    words += (i > 0 && i + 1 == conditions.size() ? " and " : ", ") + conditions[i];
   return words.empty() ? words : words + " too";
 }
 

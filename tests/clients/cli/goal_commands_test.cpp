@@ -144,6 +144,22 @@ TEST(GoalCommands, WhyNamesTheChainThatARobotWaitsFor) {
   EXPECT_EQ(fleet.weft({"goal", "why", "r2", "--json"}).json()["waits"].size(), 0U);
 }
 
+TEST(GoalCommands, WhyNamesWhatARobotFoundBlockedAndUntilWhenThatIsClosed) {
+  OneRobot fleet;
+  const std::string id =
+      fleet.weft({"goal", "send", "--to", "packing", "--no-return", "--robot", "r1", "--json"}).json()["goal"];
+  fleet.run(2s);
+  fleet.r1.state.safety = Safety::blocked;
+  fleet.run(31s);
+  fleet.r1.state.safety = Safety::ok;
+  fleet.run(4s);
+  const std::string why = fleet.weft({"goal", "why", id}).out;
+  EXPECT_NE(why.find("goal.blocked: r1 found the way blocked between 00000000000000a1:"), std::string::npos) << why;
+  EXPECT_NE(why.find("; that is closed for this goal until 2023-11-14T22:"), std::string::npos) << why;
+  const auto document = fleet.weft({"goal", "why", id, "--json"}).json();
+  EXPECT_EQ(document["goal"]["state"], "executing");
+}
+
 TEST(GoalCommands, StandstillIsNamedByRobotsWhyAndDoctor) {
   BlockedRobot fleet;
   const std::string text = "r2 is stopped and in the way of r1";

@@ -105,6 +105,9 @@ TEST(Invocation, FieldsArriveWhereTheyBelong) {
   EXPECT_TRUE(mosaic.draws_mosaic);
   EXPECT_EQ(mosaic.file, "a.png");
   EXPECT_EQ(mosaic.plan, "hall");
+  const Invocation clouds = good({"map", "draw", "--clouds", "a.png", "--no-plan"});
+  EXPECT_TRUE(clouds.draws_clouds);
+  EXPECT_EQ(clouds.command, Invocation::Command::map_draw);
 }
 
 TEST(Invocation, GlobalFlagsStandAnywhereAndTheEnvironmentFillsIn) {
@@ -139,6 +142,8 @@ TEST(Invocation, MistakesAreUsageAndSayWhich) {
       {{"map", "draw", "a.png", "--mosaic", "--robots"}, "--robots"},
       {{"map", "draw", "a.png", "--mosaic", "--floor-plan", "hall.yaml"}, "--floor-plan"},
       {{"map", "draw", "a.png", "--plan", "hall"}, "--mosaic"},
+      {{"map", "draw", "a.png", "--no-plan"}, "--clouds"},
+      {{"map", "draw", "a.png", "--mosaic", "--clouds"}, "--clouds"},
       {{}, "subcommand"},
       {{"robotz"}, "robotz"},
       {{"robots", "--colour"}, "--colour"},

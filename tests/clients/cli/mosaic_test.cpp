@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <numbers>
 
 #include "agents/methods/ceiling/content.hpp"
-#include "core/network/codec.hpp"
-#include "tests/clients/cli/fleet.hpp"
+#include "tests/clients/cli/handed_in_run.hpp"
 
 /// Lays patches of ceiling places together, and draws them of a small map as operators ask.
 namespace weft::cli::test {
@@ -92,39 +90,16 @@ Bytes ceiling_place(const Pose2& map_from_place) {
 
 /// Adds a run of method `ceiling` to the map: eight places along y = 0, the last one labelled.
 void teach_below_ceiling(Fleet& fleet, const ExperienceId& experience) {
-  Batch batch;
-  batch.experience = experience;
-  batch.sequence = 1;
-  batch.robot.bytes.fill(13);
-  batch.method = "ceiling";
-  batch.seal = true;
-  batch.seal_reason = "taught to its end";
-  storage::Transaction transaction;
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    const Bytes bytes = ceiling_place({0.4 * i, 0.0, 0.0});
-    Place place;
-    place.id = {experience, i};
-    place.method = "ceiling";
-    place.content = {hash_bytes(bytes), bytes.size()};
-    place.robot = batch.robot;
-    batch.places.push_back(place);
-    transaction.changes.emplace_back(storage::PutContent{place.content.hash, msg::ContentKind::content, bytes});
-    if (i == 0) continue;
-    Edge edge;
-    edge.id = {{experience, i - 1}, place.id};
-    edge.a_from_b = Metric2{{0.4, 0.0, 0.0}, Eigen::Matrix3d::Identity() * 1e-4};
-    edge.method = "ceiling";
-    edge.drivable = Drivable::a_to_b;
-    batch.edges.push_back(edge);
-  }
-  transaction.changes.emplace_back(storage::AppendBatch{batch, hash(batch)});
-  transaction.changes.emplace_back(storage::PutLabel{"press", {experience, 7}});
-  const std::unique_ptr<storage::MapStore> store = storage::make_memory_store(fleet.disk);
-  ASSERT_TRUE(store->open().has_value());
-  const auto committed = store->commit(transaction);
-  ASSERT_TRUE(committed.has_value()) << committed.error().message;
-  fleet.restart_server();
-  fleet.run(std::chrono::milliseconds(100));
+  constexpr double apart_m = 0.4;
+  std::vector<Bytes> contents;
+  for (std::uint32_t i = 0; i < 8; ++i) contents.push_back(ceiling_place({apart_m * i, 0.0, 0.0}));
+  hand_in(fleet, {.experience = experience,
+                  .method = "ceiling",
+                  .contents = contents,
+                  .apart_m = apart_m,
+                  .drivable = Drivable::a_to_b,
+                  .label = "press",
+                  .labelled = 7});
 }
 
 TEST(MapMosaic, IsRefusedWhereNoPlaceHasAPatch) {

@@ -20,7 +20,10 @@ msg::TaughtStretch stretch(double from_m, double as_is, double half_light, doubl
           from_m + 1.0,
           5,
           {kRun, static_cast<std::uint32_t>(5.0 * from_m)},
-          {{"as_is", as_is, 0.0, 0.5}, {"half_light", half_light, 0.0, 0.5}, {"worn", worn, 0.0, 0.5}},
+          {{"as_is", as_is, 0.0, 0.5},
+           {"half_light", half_light, 0.0, 0.5},
+           {"worn", worn, 0.0, 0.5},
+           {"seen", 1.0, 0.0, 0.5}},
           0.004,
           reason};
 }
@@ -61,6 +64,14 @@ TEST(TeachReportAdvice, NamesAConditionThatItDoesNotKnow) {
   const std::vector<std::string> advice = advice_of({dusty});
   ASSERT_EQ(advice.size(), 1U);
   EXPECT_EQ(advice[0].substr(0, 47), "metres 0..1 will not be found under \"dusty\": te");
+}
+
+TEST(TeachReportAdvice, NamesMetresThatWereDrivenBlind) {
+  msg::TaughtStretch dark = stretch(2.0, 1.0, 1.0, 1.0, "seen: dark");
+  dark.found.back().value = 0.3;
+  const std::vector<std::string> advice = advice_of({dark});
+  ASSERT_EQ(advice.size(), 1U);
+  EXPECT_EQ(advice[0].substr(0, 37), "metres 2..3 were driven nearly blind:");
 }
 
 TEST(TeachReportAdvice, NothingToDoIsNothingSaid) {
