@@ -35,7 +35,7 @@ CLI::App* describe(CLI::App& app, RegisterRoomsOptions& options, std::string& se
   seeds = "1..20";
   flags_of(sub)(
       "--seeds", seeds, "A..B",
-      "Seeds A to B, or one: each is another building, rig and noise; constants were set on 1001 to 1020 [1..20]");
+      "Seeds A to B, or one: each is another building, rig and noise; constants were set on 1101 to 1118 [1..20]");
   sub->add_flag("--json", options.json, "One line of JSON instead of the tables");
   return sub;
 }

@@ -84,6 +84,13 @@ Parsed parsed_ceiling(const CLI::App& app, CeilingWords words) {
   return with_seeds(app, std::move(words.study), words.seeds);
 }
 
+Parsed parsed_topometric(const CLI::App& app, TopometricWords words) {
+  const bool has_seeds = app.get_subcommand("topometric")->get_option("--seeds")->count() > 0;
+  if (words.is_quick && !has_seeds) words.seeds = "1";
+  words.study.extent.is_quick = words.is_quick;
+  return with_seeds(app, std::move(words.study), words.seeds);
+}
+
 Parsed parsed_particles(const CLI::App& app, ParticlesOptions options, const std::string& seeds) {
   if (options.out.empty()) {
     const std::string name = options.log.filename().string();
@@ -141,6 +148,7 @@ Parsed parse(int argc, const char* const* argv) {
   ParticlesOptions particles;
   std::string particles_seeds;
   StereoOptions stereo;
+  TopometricWords topometric;
   GenerateOptions generate;
   std::string disturbances_seeds;
   std::string foretold_seeds;
@@ -161,6 +169,7 @@ Parsed parse(int argc, const char* const* argv) {
   const CLI::App* const rooms_sub = describe(app, rooms, rooms_seeds);
   const CLI::App* const particles_sub = describe(app, particles, particles_seeds);
   const CLI::App* const stereo_sub = describe(app, stereo);
+  const CLI::App* const topometric_sub = describe(app, topometric);
   describe(app, generate);
   try {
     app.parse(argc, argv);
@@ -182,6 +191,7 @@ Parsed parse(int argc, const char* const* argv) {
   if (rooms_sub->parsed()) return with_seeds(app, rooms, rooms_seeds);
   if (particles_sub->parsed()) return parsed_particles(app, std::move(particles), particles_seeds);
   if (stereo_sub->parsed()) return parsed_stereo(std::move(stereo));
+  if (topometric_sub->parsed()) return parsed_topometric(app, topometric);
   if (floor_sub->parsed()) return parsed_floor(app, floor);
   if (attempts_sub->parsed()) return with_seeds(app, attempts, attempts_seeds);
   if (relocalise_sub->parsed()) return with_seeds(app, relocalise, relocalise_seeds);

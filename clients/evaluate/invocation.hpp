@@ -22,6 +22,7 @@
 #include "clients/evaluate/registration/pair_study.hpp"
 #include "clients/evaluate/registration/rooms_study.hpp"
 #include "clients/evaluate/stereo/study.hpp"
+#include "clients/evaluate/topometric/study.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate {
@@ -37,10 +38,11 @@ struct GenerateOptions {
   std::filesystem::path out;  ///< the store's directory; made if it is not there
 };
 
-using Parsed = std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ForetoldOptions,
-                            ReplayOptions, OdometryOptions, BearingOptions, BearingRelocaliseOptions, LearningOptions,
-                            HeadingOptions, CeilingOptions, CeilingFramesOptions, RegisterOptions,
-                            RegisterRoomsOptions, ParticlesOptions, StereoOptions, GenerateOptions, NotRun>;
+using Parsed =
+    std::variant<DisturbancesOptions, FloorOptions, AttemptsOptions, RelocaliseOptions, ForetoldOptions,
+                 ReplayOptions, OdometryOptions, BearingOptions, BearingRelocaliseOptions, LearningOptions,
+                 HeadingOptions, CeilingOptions, CeilingFramesOptions, RegisterOptions, RegisterRoomsOptions,
+                 ParticlesOptions, StereoOptions, TopometricOptions, GenerateOptions, NotRun>;
 Parsed parse(int argc, const char* const* argv);
 
 /// Reads "A..B", or one number. invalid: says what is wrong.

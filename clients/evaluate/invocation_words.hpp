@@ -45,6 +45,12 @@ struct CeilingWords {
   bool is_quick = false;
 };
 
+struct TopometricWords {
+  TopometricOptions study;
+  std::string seeds;
+  bool is_quick = false;
+};
+
 /// Adds a subcommand to the program, one function each; its flags write into what is given.
 CLI::App* describe(CLI::App& app, DisturbancesOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, FloorWords& words);
@@ -62,6 +68,7 @@ CLI::App* describe(CLI::App& app, RegisterOptions& options);
 CLI::App* describe(CLI::App& app, RegisterRoomsOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, ParticlesOptions& options, std::string& seeds);
 CLI::App* describe(CLI::App& app, StereoOptions& options);
+CLI::App* describe(CLI::App& app, TopometricWords& words);
 CLI::App* describe(CLI::App& app, GenerateOptions& generate);
 
 }  // namespace weft::evaluate

@@ -149,6 +149,11 @@ int run(const evaluate::StereoOptions& options) {
   return finish(evaluate::stereo::study_stereo(options, around, thread_cpu_s), options.out);
 }
 
+int run(const evaluate::TopometricOptions& options) {
+  const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
+  return finish(evaluate::topometric::study_topometric(options, around), options.out);
+}
+
 int run(const evaluate::ReplayOptions& options) {
   const evaluate::Surroundings around{std::cout, std::cerr, steady_s, [] { return asked_to_stop != 0; }};
   return finish_at_once(evaluate::floor::replay_floor(options, around));

@@ -17,7 +17,8 @@ Result<std::map<std::uint64_t, TrueMoment>> read_truth(const std::filesystem::pa
       const auto row = nlohmann::json::parse(line);
       truth[row.at("frame").get<std::uint64_t>()] = {
           row.at("t").get<double>(),
-          {row.at("x").get<double>(), row.at("y").get<double>(), row.at("heading").get<double>()}};
+          {row.at("x").get<double>(), row.at("y").get<double>(), row.at("heading").get<double>()},
+          row.contains("touch") ? std::optional(row.at("touch").get<std::string>()) : std::nullopt};
     } catch (const nlohmann::json::exception& problem) {
       return fail(ErrorCode::corrupt, file.string() + ":" + std::to_string(number) + ": " + problem.what());
     }

@@ -17,6 +17,7 @@ class Ablated {
   static constexpr std::string_view name = agents::Bearing::name;
   static constexpr std::uint32_t content_format = agents::Bearing::content_format;
   static constexpr agents::ChartSize chart_size = agents::Bearing::chart_size;
+  static constexpr bool steers_along_a_path = true;
   using Content = agents::Bearing::Content;
   using Odometry = agents::Bearing::Odometry;
   using Chart = agents::Bearing::Chart;
@@ -59,7 +60,7 @@ class Ablated {
     return located;
   }
 
-  agents::Steering steer(const agents::Ahead& ahead) const {
+  agents::Steering steer(Odometry&, const agents::Around<Ablated>*, const agents::Ahead& ahead) const {
     const Result<agents::Spline> path = agents::Spline::through(ahead.robot_from_path);
     if (!path) return tl::unexpected(agents::Stop{"no_path"});
     if (parts_ == Parts::vision_only) return towards_what_is_seen(ahead);

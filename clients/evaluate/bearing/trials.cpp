@@ -59,7 +59,9 @@ void no_encoders(Site& site) {
 void other_stock_and_people(Site& site) {
   site.change.stock = 0.3;
   const auto walks = [&](std::vector<agents::SitePoint> way, double speed_m_s, double begins_m) {
-    site.movers.push_back({Mover::Kind::person, std::move(way), speed_m_s, begins_m});
+    Mover person{Mover::Kind::person, std::move(way), speed_m_s, begins_m};
+    person.is_solid = false;  // this method sees people as what hides the way, not as what stands in it
+    site.movers.push_back(person);
   };
   walks({{4.0, 2.6}, {26.0, 2.6}}, 1.0, 6.0);
   walks({{26.0, 13.2}, {4.0, 13.2}}, 1.2, 3.0);

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "clients/evaluate/csv.hpp"
 #include "clients/evaluate/files.hpp"
 #include "clients/evaluate/study_file.hpp"
+#include "clients/evaluate/trial_rows.hpp"
 
 namespace weft::evaluate::ceiling {
 namespace {
@@ -39,33 +39,21 @@ json json_of(const Study& study) {
 
 Result<Rows> read_rows(const std::filesystem::path& folder, const Study& study) {
   Rows rows;
-  const Result<void> read =
-      read_rows_of(folder / kCeilingJson, ceiling::json_of(study), "rows", [&](const json& document) {
-        for (const json& row : document.at("rows")) {
-          Score score;
-          for (const auto& [name, value] : row.at("values").items()) score.values[name] = number_from(value);
-          rows.insert_or_assign({row.at("trial").get<std::string>(), row.at("seed").get<std::uint64_t>()}, score);
-        }
-      });
+  const Result<void> read = read_rows_of(folder / kCeilingJson, ceiling::json_of(study), "rows",
+                                         [&](const json& document) { rows = trial_rows_from(document.at("rows")); });
   if (!read) return fail(read.error());
   return rows;
 }
 
 Result<void> write_rows(const std::filesystem::path& folder, const Study& study, const Rows& rows,
                         const std::vector<Judged>& all) {
-  json document = {{"study", ceiling::json_of(study)}, {"bounds", json::array()}, {"rows", json::array()}};
+  json document = {{"study", ceiling::json_of(study)}, {"bounds", json::array()}, {"rows", evaluate::json_of(rows)}};
   for (const Judged& judged : all) document["bounds"].push_back(json_of(judged));
-  for (const auto& [key, score] : rows)
-    document["rows"].push_back({{"trial", key.first}, {"seed", key.second}, {"values", json(score.values)}});
   return write_text(folder / kCeilingJson, document.dump(1) + "\n");
 }
 
 Result<void> write_csv(const std::filesystem::path& folder, const Rows& rows) {
-  CsvText csv({"trial", "seed", "number", "value"});
-  for (const auto& [key, score] : rows)
-    for (const auto& [name, value] : score.values)
-      csv.words(key.first).value(key.second).words(name).number(value).end_row();
-  return write_text(folder / kCeilingCsv, csv.text());
+  return write_trials_csv(folder / kCeilingCsv, rows);
 }
 
 Result<void> write_shown(const std::filesystem::path& folder, const std::string& trial, const Shown& shown) {

@@ -4,21 +4,15 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "agents/bodies/sim/site.hpp"
 #include "agents/methods/ceiling/config.hpp"
 #include "agents/perception/camera_model.hpp"
 #include "clients/evaluate/floor/drive.hpp"
+#include "clients/evaluate/scene.hpp"
 #include "core/result.hpp"
 
 namespace weft::evaluate::ceiling {
-
-/// Holds a site and a line in it.
-struct Scene {
-  agents::sim::Site site;
-  std::vector<agents::SitePoint> line;
-};
 
 /// Holds all that is driven below, and what says so in a folder of results.
 struct Scenes {
@@ -56,10 +50,5 @@ struct Calibrated {
 
 /// Returns a drive with the method `ceiling` of a robot that is given that.
 floor::Drive drive_of(const agents::sim::Site& site, const Driven& driven, const Calibrated& given);
-
-/// Returns the site with that robot put somewhere else.
-agents::sim::Site with_start(agents::sim::Site site, const std::string& robot, const Pose2& site_from_robot);
-/// Returns the start of that robot. It is one of the site's.
-const agents::sim::RobotStart& start_of(const agents::sim::Site& site, const std::string& robot);
 
 }  // namespace weft::evaluate::ceiling

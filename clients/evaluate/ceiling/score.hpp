@@ -1,11 +1,5 @@
 #pragma once
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
+#include "clients/evaluate/trial_numbers.hpp"
 
 namespace weft::evaluate::ceiling {
 
@@ -21,27 +15,10 @@ inline constexpr const char* kFoundHalf = "found-half";    ///< the same with ha
 inline constexpr const char* kFoundLamps = "found-lamps";  ///< the same below a grid of lamps and nothing else
 }  // namespace trial
 
-/// Holds what a trial with one seed has come to: numbers by name, units in the names.
-struct Score {
-  static constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-  std::map<std::string, double> values;
-  /// Returns the number; NaN: the trial has none of that name.
-  double value(const std::string& name) const {
-    const auto found = values.find(name);
-    return found == values.end() ? kNothing : found->second;
-  }
-};
-
-using RowKey = std::pair<std::string, std::uint64_t>;  ///< trial, seed
-using Rows = std::map<RowKey, Score>;
-
-/// Holds lines of points for the pictures, by name.
-using Shown = std::map<std::string, std::vector<std::array<double, 2>>>;
-
-struct Measured {
-  Score score;
-  Shown shown;
-};
+using Score = TrialNumbers;
+using RowKey = TrialKey;
+using Rows = TrialRows;
+using Shown = ShownLines;
+using Measured = MeasuredTrial;
 
 }  // namespace weft::evaluate::ceiling

@@ -11,10 +11,6 @@ namespace weft::evaluate::ceiling {
 
 using namespace agents;
 
-Pose2 beginning_of(const std::vector<SitePoint>& line) {
-  return {line[0].x, line[0].y, std::atan2(line[1].y - line[0].y, line[1].x - line[0].x)};
-}
-
 Result<std::optional<Way>> teach_way(const Scene& scene, const Driven& driven, const Calibrated& given) {
   Way way;
   way.scene = {with_start(scene.site, driven.robot, beginning_of(scene.line)), scene.line};

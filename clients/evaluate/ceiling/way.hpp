@@ -23,9 +23,6 @@ struct Way {
 /// Teaches the robot, which is given that, the scene's line. None: stopped.
 Result<std::optional<Way>> teach_way(const Scene& scene, const Driven& driven, const Calibrated& given);
 
-/// Returns the pose on a line's beginning, headed along it.
-Pose2 beginning_of(const std::vector<agents::SitePoint>& line);
-
 /// Adds how well a repeat has kept to what was taught: lateral_rms_mm, lateral_worst_mm, goal_mm, goal_deg (numbers
 /// only of a robot that has arrived), arrived, fixes, wrong_fixes.
 void add_path(const Way& way, const floor::Repeated& repeated, Score& score);

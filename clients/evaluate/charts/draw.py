@@ -10,7 +10,7 @@ import sys
 MODULES = {'floor': 'floor', 'replay': 'replay', 'floor-attempts': 'floor_attempts', 'floor-relocalise': 'floor_relocalise',
            'bearing': 'bearing', 'bearing-relocalise': 'bearing_relocalise', 'disturbances': 'disturbances',
            'ceiling': 'ceiling', 'particles': 'particles', 'particles-global': 'particles',
-           'stereo': 'stereo'}
+           'stereo': 'stereo', 'topometric': 'topometric'}
 
 
 def main(arguments):

@@ -1,7 +1,6 @@
 #include "clients/evaluate/stereo/dense.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <variant>
 
@@ -14,13 +13,13 @@ namespace {
 
 using namespace agents;
 
-/// Returns how many disparities are searched: down to a metre, within what both matchers can.
+/// Returns how many disparities are searched: a recording does not say how near things are, so all that both matchers
+/// can, up to a quarter of the image's width.
 int disparities_of(const StereoRig& rig) {
   constexpr int step = 16;
   constexpr int fewest = 48;
   constexpr int most = 128;
-  const int wanted = static_cast<int>(std::ceil(rig.disparity_px(1.0) / step)) * step;
-  return std::clamp(wanted, fewest, most);
+  return std::clamp(rig.width / 4 / step * step, fewest, most);
 }
 
 class Comparing {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <opencv2/calib3d.hpp>
+#include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
@@ -14,6 +15,7 @@ namespace {
 constexpr int kCorners = 400;
 constexpr double kQuality = 0.01;
 constexpr double kApartPx = 10.0;
+constexpr int kFastGrey = 20;
 constexpr int kWindowPx = 21;
 constexpr int kLevels = 3;
 constexpr float kRowPx = 1.5F;
@@ -22,6 +24,19 @@ constexpr int kHypotheses = 200;
 constexpr float kWithinPx = 1.0F;
 constexpr double kConfidence = 0.999;
 constexpr std::size_t kFewest = 10;
+
+std::vector<cv::Point2f> corners_of(const cv::Mat& image, KltCorners by) {
+  std::vector<cv::Point2f> corners;
+  if (by == KltCorners::shi_tomasi) {
+    cv::goodFeaturesToTrack(image, corners, kCorners, kQuality, kApartPx);
+    return corners;
+  }
+  std::vector<cv::KeyPoint> found;
+  cv::FAST(image, found, kFastGrey, true);
+  cv::KeyPointsFilter::retainBest(found, kCorners);
+  cv::KeyPoint::convert(found, corners);
+  return corners;
+}
 
 struct Followed {
   std::vector<cv::Point2f> to;
@@ -44,8 +59,7 @@ void KltPnp::remember(const cv::Mat& left, const cv::Mat& right) {
   left_ = left.clone();
   corners_.clear();
   points_.clear();
-  std::vector<cv::Point2f> corners;
-  cv::goodFeaturesToTrack(left, corners, kCorners, kQuality, kApartPx);
+  const std::vector<cv::Point2f> corners = corners_of(left, found_by_);
   if (corners.empty()) return;
   const Followed there = followed(left, right, corners);
   for (std::size_t i = 0; i < corners.size(); ++i) {

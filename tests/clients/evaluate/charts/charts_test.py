@@ -25,7 +25,7 @@ PICTURES = {
     'bearing': {'paths.png': 2, 'first-loop.png': 1, 'loops.png': 1, 'ablation.png': 1},
     'bearing-relocalise': {'bearing-relocalise.png': 4}, 'disturbances': {'disturbances.png': 4},
     'ceiling': {'ceiling.png': 4}, 'particles': {'particles.png': 2},
-    'stereo': {'stereo.png': 4}}
+    'stereo': {'stereo.png': 4}, 'topometric': {'topometric.png': 4, 'topometric-overlay.png': 2}}
 UNITS = (', m', ', s', ', m/s', ', mm', ', degrees', 'mm', '% of', 'share', 'P(X', 'loops', 'matches', 'number', 'floor')
 
 

@@ -119,3 +119,16 @@ def stereo(folder):
         write(folder / 'series' / f'stereo-{every}.json',
               {'recording': 'hall', 'hz': 20.0 / every, 'truth': [[0.0, 0.01, 0.0], [1.0, 0.0, 2.0]],
                'ours': [[0.0, 0.0, 0.0], [1.0, 0.0, 2.5]], 'baseline': [[0.0, 0.0, 0.0], [1.0, 1.0, 2.0]]})
+
+
+def topometric(folder):
+    walls = [[0.0, 0.0], [6.0, 0.0], [None, None], [0.0, 2.0], [6.0, 2.0]]
+    write(folder / 'series' / 'topometric.json', {'about': 'sites deploy/sites/topometric', 'of_first': 'seed 1'})
+    write(folder / 'series' / 'map.json', {'taught': way(), 'walls': walls, 'registered': way(), 'unregistered': way(aside=0.1)})
+    seconds = [[float(i), 0.01 * i] for i in range(60)]
+    write(folder / 'series' / 'deliveries.json',
+          {'truth': way(), 'raw': way(aside=0.5), 'open': way(aside=0.1), 'located': way(aside=0.01), 'raw_error': seconds,
+           'open_error': seconds, 'blind': [[float(i), float(i % 7 == 0)] for i in range(60)], 'switches': [[1.0, 0.5]],
+           'goals': [[2.0, 0.5]]})
+    write(folder / 'series' / 'shortcut.json', {'truth': way(), 'taught': way(aside=0.3), 'walls': walls})
+    write(folder / 'series' / 'merge.json', {'first': way(), 'second': way(aside=0.1)})

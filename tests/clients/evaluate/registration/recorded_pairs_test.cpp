@@ -31,18 +31,14 @@ class RecordedPairs : public testing::Test {
   fs::path data_;
 };
 
-// Refused for now, as cells are trusted for little (docs/results/clouds.md).
-TEST_F(RecordedPairs, OfALidarAreRefusedByNameOrWithinTheirBoundsOfTheTruth) {
+TEST_F(RecordedPairs, OfALidarAreWithinTheirBoundsOfTheTruth) {
   const fs::path lidar = data_ / "small_gicp";
-  std::ostringstream out;
-  std::ostringstream progress;
-  const Surroundings around{out, progress, [] { return 0.0; }, [] { return false; }};
-  const Result<Ended> ended =
-      study_pair({lidar / "target.ply", lidar / "source.ply", lidar / "T_target_source.txt", "", false}, around,
-                 [] { return 0.0; });
-  ASSERT_TRUE(ended) << ended.error().message;
-  const bool is_refused = out.str().find("slides") != std::string::npos;
-  EXPECT_EQ(*ended, is_refused ? Ended::missed : Ended::complete) << out.str();
+  expect_met({lidar / "target.ply", lidar / "source.ply", lidar / "T_target_source.txt", "", false});
+}
+
+TEST_F(RecordedPairs, OfAKinectAreNearWhatPclSays) {
+  const fs::path kinect = data_ / "pcl";
+  expect_met({kinect / "capture0001.pcd", kinect / "capture0002.pcd", "", "", false});
 }
 
 TEST_F(RecordedPairs, OfARoomAreNearWhatPclSays) {

@@ -80,6 +80,27 @@ TEST(RegistrationTrials, NoEdgeOfARoomOrAnAisleIsMadeWorseByMuch) {
   }
 }
 
+TEST(RegistrationTrials, EdgesOfAnAisleGainAcrossIt) {
+  double before_m = 0.0;
+  double after_m = 0.0;
+  for (const Trial& trial : edge_trials(SceneKind::aisle, 501, EdgePrior{}, {})) {
+    before_m += trial.before.across_m;
+    after_m += trial.after.across_m;
+  }
+  EXPECT_LT(after_m, 0.8 * before_m);
+}
+
+TEST(RegistrationTrials, StitchesThatAreJoinedWherePillarsTellHowFarAreNear) {
+  std::size_t joined = 0;
+  for (const Trial& trial : stitch_trials(SceneKind::aisle, 502, {}, {})) {
+    if (!trial.refused.empty()) continue;
+    ++joined;
+    EXPECT_LT(trial.after.metres(), 0.04);
+    EXPECT_LT(kDegrees * trial.after.heading_rad, 0.5);
+  }
+  EXPECT_GE(joined, 3U);
+}
+
 TEST(RegistrationTrials, StitchesSlideAlongPlainAisles) {
   const std::vector<Trial> trials = stitch_trials(SceneKind::plain, 502, {}, {});
   EXPECT_FALSE(trials.empty());
