@@ -25,7 +25,7 @@ void simulate_revisit(benchmark::State& state, Floor::Condition condition) {
   std::size_t i = 0;
   for (auto _ : state) {
     const View& view = v.views[i++ % v.views.size()];
-    benchmark::DoNotOptimize(v.method.simulate_revisit(view, {condition, {0.0, 0.05, 0.03}, i}));
+    benchmark::DoNotOptimize(v.method.simulate_view(view, {condition, {0.0, 0.05, 0.03}, i}));
   }
 }
 BENCHMARK_CAPTURE(simulate_revisit, half_light, Floor::half_light)->Unit(benchmark::kMillisecond);
