@@ -81,6 +81,11 @@ class Fleet {
   void let_go(std::size_t robot) { robots_[robot].body->stop_hand(); }
   /// Has the robot's base stop it by its own safety, or let it go on.
   void press(std::size_t robot, Safety safety) { robots_[robot].body->press(safety); }
+  /// Puts a crate in the way of one robot, or takes it away; others do not meet it.
+  void put_crate(std::size_t robot, const Eigen::Vector2d& crate_in_site) {
+    robots_[robot].body->put_crate(crate_in_site);
+  }
+  void take_crate(std::size_t robot) { robots_[robot].body->take_crate(); }
   /// Gives the robot a battery; without one it says nothing of its charge.
   void equip(std::size_t robot, agents::Battery battery) { robots_[robot].body->equip(std::move(battery)); }
   const MarksBody& body(std::size_t robot) const { return *robots_[robot].body; }

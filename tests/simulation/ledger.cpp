@@ -282,23 +282,40 @@ void Ledger::agent_took(const RobotId& robot) {
 void Ledger::agent_stepped(const RobotId& robot, const agents::Sample& sample, const agents::AgentOutput& output) {
   Robot& by = robots.at(robot);
   check_stops(by, sample, output.command);
-  const auto estimate = by.agent == nullptr ? std::nullopt : by.agent->estimate();
-  // What it said last may be older than the view that has just shown it where it is.
-  const bool found = estimate && estimate->blind_m <= agents::FollowConfig{}.blind_limit_m;
-  const bool lost = by.state.mode == msg::RobotMode::lost && !found;
-  if (lost && !by.body->by_hand() && output.command != agents::Twist{}) {
-    broken("lost_stands",
-           by.name + " says that it is lost and drives at " + std::to_string(output.command.linear_m_s) + " m/s");
-  }
-  // Whatever it says of itself: this far after its last fix it should know that it is lost, and stand.
-  constexpr double most_blind_m = agents::FollowConfig{}.blind_limit_m + 0.3;
-  if (!by.body->by_hand() && estimate && estimate->blind_m > most_blind_m && output.command != agents::Twist{}) {
-    broken("lost_stands", by.name + " drives " + std::to_string(estimate->blind_m) + " m after its last fix");
-  }
+  check_lost(by, output);
   if (!by.body->by_hand()) {
     check_released_point(by);
     check_belief(by);
     check_limits(by);
+  }
+}
+
+/// A robot that does not know where it is stays within its footprint. It turns on the spot at most, and only if its
+/// method looks around.
+void Ledger::check_lost(Robot& by, const agents::AgentOutput& output) {
+  constexpr bool turns = agents::Recovers<agents::MarksMethod>;
+  const agents::Twist& command = output.command;
+  const bool stays = command.linear_m_s == 0.0 && (turns || command.angular_rad_s == 0.0);
+  const auto estimate = by.agent == nullptr ? std::nullopt : by.agent->estimate();
+  // What it said last may be older than the view that has just shown it where it is.
+  const bool found = estimate && estimate->blind_m <= agents::FollowConfig{}.blind_limit_m;
+  const bool lost = by.state.mode == msg::RobotMode::lost && !found && !by.body->by_hand();
+  if (lost && !stays) {
+    broken("lost_stays",
+           by.name + " says that it is lost and drives at " + std::to_string(command.linear_m_s) + " m/s");
+  }
+  // A robot this far after its last fix should know that it is lost, and stay, whatever it says of itself.
+  constexpr double most_blind_m = agents::FollowConfig{}.blind_limit_m + 0.3;
+  if (!by.body->by_hand() && estimate && estimate->blind_m > most_blind_m && !stays) {
+    broken("lost_stays", by.name + " drives " + std::to_string(estimate->blind_m) + " m after its last fix");
+  }
+  if (!lost || by.led) return by.lost_at.reset();
+  const Eigen::Vector2d here = by.body->site_from_robot().translation();
+  constexpr double still_m_s = 0.01;
+  if (!by.lost_at && std::abs(by.body->true_speed_m_s()) < still_m_s) by.lost_at = here;
+  if (by.lost_at && (here - *by.lost_at).norm() > by.footprint_m) {
+    broken("lost_stays",
+           by.name + " is lost and has left its footprint by " + std::to_string((here - *by.lost_at).norm()) + " m");
   }
 }
 

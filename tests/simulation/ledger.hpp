@@ -40,9 +40,10 @@ class Ledger {
     double footprint_m = 0.0;     ///< as it describes itself
     bool refines = false;         ///< what it was taught, before it hands that in
     bool led = false;             ///< when it last moved
-    bool unheard = false;         ///< since a hand has put it down
-    bool is_hung = false;         ///< its process stands still
-    bool is_cut_off = false;      ///< nobody hears it
+    std::optional<Eigen::Vector2d> lost_at;  ///< where it came to rest when it did not know where it was any more
+    bool unheard = false;                    ///< since a hand has put it down
+    bool is_hung = false;                    ///< its process stands still
+    bool is_cut_off = false;                 ///< nobody hears it
     std::map<std::uint64_t, msg::AgentCommand::Kind> commands;  ///< that it has heard, by number
     bool is_stopped = false;                                    ///< an operator has stopped it, and not resumed it
     bool had_emergency = false;              ///< it knows of an emergency stop after which nobody has resumed it
@@ -127,6 +128,7 @@ class Ledger {
   void check_release(const Route& route, const Snapshot& snapshot);
   void check_standing(const RobotId& id, const PlaceId& place, const Snapshot& snapshot);
   void note_put_down(const RobotId& robot);
+  void check_lost(Robot& by, const agents::AgentOutput& output);
   void check_released_point(const Robot& robot);
   void check_belief(const Robot& robot);
   void check_acknowledged(const server::Service& service, const storage::MemoryDisk& disk);

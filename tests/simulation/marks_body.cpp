@@ -46,7 +46,7 @@ Result<agents::Sample> MarksBody::step(const agents::Twist& command) {
   const bool resting = drive == agents::Twist{} && driven_ == agents::Twist{} && still;
   driven_ = drive;
   const double period = resting ? kRestPeriod_s : kMovingPeriod_s;
-  base_.drive(drive, period);
+  base_.drive(is_held_up(drive) ? agents::Twist{0.0, drive.angular_rad_s} : drive, period);
 
   agents::Sample sample;
   sample.frame = ++frame_;
@@ -69,6 +69,16 @@ Result<agents::Sample> MarksBody::step(const agents::Twist& command) {
   truth_.emplace(frame_, site_from_robot());
   if (truth_.size() > kTruthFrames) truth_.erase(truth_.begin());
   return sample;
+}
+
+/// Returns whether the robot would touch the crate, were it driven like that a little longer.
+bool MarksBody::is_held_up(const agents::Twist& drive) const {
+  constexpr double touches_m = 0.6;
+  constexpr double soon_s = 0.2;
+  if (!crate_in_site_) return false;
+  const Pose2 soon = site_from_robot() * Pose2{soon_s * drive.linear_m_s, 0.0, 0.0};
+  const double away_m = (soon.translation() - *crate_in_site_).norm();
+  return away_m < touches_m && away_m < (site_from_robot().translation() - *crate_in_site_).norm();
 }
 
 agents::View MarksBody::look() {

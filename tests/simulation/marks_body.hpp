@@ -35,6 +35,9 @@ class MarksBody : public agents::Body {
   double true_speed_m_s() const { return base_.wheels().linear_m_s; }
   /// Has its base stop by itself, or go on.
   void press(Safety safety) { safety_ = safety; }
+  /// Puts a crate on the floor, which it is not driven into: its base stands before that and says nothing.
+  void put_crate(const Eigen::Vector2d& crate_in_site) { crate_in_site_ = crate_in_site; }
+  void take_crate() { crate_in_site_.reset(); }
   /// Gives it a battery; without one it says nothing of its charge.
   void equip(agents::Battery battery) { battery_ = std::move(battery); }
   bool by_hand() const { return !hand_.empty(); }
@@ -45,6 +48,7 @@ class MarksBody : public agents::Body {
   agents::Twist hand_twist();
   agents::Twist follow_hand();
   agents::View look();
+  bool is_held_up(const agents::Twist& drive) const;
 
   std::shared_ptr<const Site> site_;
   Random random_;
@@ -61,6 +65,7 @@ class MarksBody : public agents::Body {
   double wander_ = 0.0;
   agents::Twist driven_;  ///< the last command
   std::optional<agents::Battery> battery_;
+  std::optional<Eigen::Vector2d> crate_in_site_;
   Safety safety_ = Safety::ok;
   std::map<std::uint64_t, Pose2> truth_;
 };
