@@ -30,6 +30,12 @@ class Bench:
             self.lab.open()
         return self.lab
 
+    def at_most(self, what, factor, most):
+        """Keeps what was measured, and holds it to a bound."""
+        self.numbers[what] = f'{factor:.2f}'
+        if factor > most:
+            raise lab.Trouble(f'{what}: {factor:.1f}, {most} at most are wanted')
+
     def close_lab(self):
         if self.lab is not None:
             self.lab.engine.stop()
@@ -75,7 +81,7 @@ class Bench:
         moving, standing = network.stands(records, since)
         touching, least = network.apart(records, since, self.unknown)
         broken += [f'A3: {what}' for what in beyond] + [f'A4: {what}' for what in moving] + [f'A5: {what}' for what in touching]
-        broken += [f'A6: {what}' for what in self.windows()] + [f'A7: {what}' for what in self.processes()]
+        broken += [f'A6: {what}' for what in self.windows()] + [f'A7: {what}' for what in self.processes(since)]
         nearest = f', robots never nearer than {least:.2f} m' if math.isfinite(least) else ''
         self.say(f'judged {len(records.acks)} acknowledged batches, {on_routes} frames on routes, {standing} standing{nearest}')
         return broken
@@ -103,9 +109,10 @@ class Bench:
             time.sleep(0.5)
         return [f"the window of {name} is not the server's" for name in left]
 
-    def processes(self):
-        """What is wrong with the containers: ended, started anew by the engine, short of memory, with a core or ever more open files."""
-        broken = [f'a core is left: {path}' for path in (lab.ROOT / 'state').rglob('core*') if path.is_file()]
+    def processes(self, since):
+        """What is wrong with the containers: crashed, ended, started anew by the engine, short of memory, or with ever more open files."""
+        crashed = lab.crashes(time.time() - (time.monotonic() - since))
+        broken = [] if self.may_end else [f'{name} has crashed, code {code}' for name, code in crashed.items()]
         for name, node in self.lab.nodes.items():
             if name in self.fleet.killed:
                 continue

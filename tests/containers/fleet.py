@@ -1,4 +1,5 @@
 """A server, light robots, and the operator's command, in the lab."""
+import contextlib
 import json
 import pathlib
 import re
@@ -16,6 +17,7 @@ SERVER_NUMBER, OPERATOR_NUMBER, FIRST_ROBOT = 10, 11, 20
 VENDORS = ('fastdds', 'cyclonedds')
 SERVER_DISK_MB, ROBOT_DISK_MB = 96, 24
 OVER = ('succeeded', 'failed', 'cancelled', 'rejected')
+NOT_REACHED = 3
 FAKETIME = '/usr/lib/x86_64-linux-gnu/faketime'
 
 
@@ -31,11 +33,15 @@ class Fleet:
         self.helped = {}                         # robot -> when it was sent out of the way last
 
     # ---- processes
-    def start(self):
+    def start_alone(self):
+        """The server and the operator's command."""
         self.start_server()
         self.operator = self.lab.start('operator', OPERATOR_NUMBER, 'weft-server', 'infinity', entry='sleep')
         self.operator_pid = self.operator.pid()
         self.wait_server()
+
+    def start(self):
+        self.start_alone()
         for name in self.names:
             self.start_robot(name)
         self.wait_heard(self.names)
@@ -62,6 +68,12 @@ class Fleet:
                 '--records', '/records', '--listen', 'eth0', '--server', 'server', '--dds', VENDORS[number % 2] if of == 1 else VENDORS[0]]
         return self.begin_at(gate, name, FIRST_ROBOT + number, '/light/weft-light-agents', argv, ROBOT_DISK_MB, flags)
 
+    def end_robots(self):
+        """Ends all robots of the fleet in good order; none comes back."""
+        for name in self.names:
+            lab.docker('stop', name)
+            self.killed.add(name)
+
     def start_newcomer(self, name, protocol):
         """One that greets as an agent of another protocol, and does nothing else."""
         number = int(name[1:])
@@ -71,6 +83,20 @@ class Fleet:
     def node(self, name):
         return self.lab.nodes[name]
 
+    def meter(self, names):
+        return lab.Meter([self.node(name) for name in names])
+
+    def start_late(self, name, start):
+        """Starts a container whose program begins while its cable is out, and puts it in once the program says that it waits for it."""
+        self.lab.remove(name)
+        gate = self.lab.folder('records', name) / 'go'
+        gate.unlink(missing_ok=True)
+        node = start(gate='/records/go')
+        node.link(up=False)
+        gate.touch()
+        lab.wait_until(f'{name} to say that it waits for its link', lambda: 'waits for its link' in self.lab.log(name, 'all'), 20)
+        node.link(up=True)
+
     def kill_server(self):
         self.node('server').kill()
 
@@ -78,6 +104,12 @@ class Fleet:
         self.node('server').start()
         self.restarts += 1
         self.wait_server()
+
+    def begin_journal(self):
+        """Has the server end in good order and start anew: then its store has no journal yet."""
+        lab.docker('stop', 'server')
+        self.restart_server()
+        self.wait_heard(self.names)
 
     def wait_server(self):
         return lab.wait_until('the server to answer', lambda: self.weft('map', 'info', timeout=3, good=None), 20)
@@ -90,12 +122,37 @@ class Fleet:
 
     def weft(self, *words, timeout=None, good=(0,)):
         """Returns the answer; with `good` None, none where the command fails."""
-        done = subprocess.run(self.argv(*words, timeout=timeout), capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=(timeout or self.patience) + 30)
+        for _ in range(lab.SLOW):
+            done = subprocess.run(self.argv(*words, timeout=timeout), capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=(timeout or self.patience) + 30)
+            if good is None or done.returncode != NOT_REACHED:
+                break                            # a machine that is busy may need more than the ten seconds in which a server has to greet
         if good is None and done.returncode:
             return None
         if good is not None and done.returncode not in good:
             raise lab.Trouble(f"weft {' '.join(str(w) for w in words)}: exit {done.returncode}: {(done.stderr or done.stdout).strip()[-300:]}")
         return json.loads(done.stdout) if done.stdout.strip() else {}
+
+    @contextlib.contextmanager
+    def slow_robots(self, kbit):
+        """Has each robot on a link of so many kbit a second, meanwhile."""
+        with contextlib.ExitStack() as links:
+            for name in self.names:
+                links.enter_context(self.node(name).slow(kbit))
+            yield
+
+    @contextlib.contextmanager
+    def patient(self, seconds):
+        """Has commands wait so long for their answers, meanwhile."""
+        before, self.patience = self.patience, seconds
+        try:
+            yield
+        finally:
+            self.patience = before
+
+    def ask(self, *words):
+        """(exit code, all that it said)."""
+        done = subprocess.run(self.argv(*words), capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=self.patience + 30)
+        return done.returncode, done.stdout + done.stderr
 
     def begin(self, *words, timeout=60):
         return subprocess.Popen(self.argv(*words, timeout=timeout), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, stdin=subprocess.DEVNULL,
@@ -170,6 +227,13 @@ class Fleet:
             return self.weft('teach', name, 'start', '--as', experience, '--along', part, timeout=60, good=None)
         lab.wait_until(f'{name} to be taught', begun, 30, every=0.5)
 
+    def lead_on(self, records, name, experience, metres):
+        """Teaches a robot so much more, to the end."""
+        before = self.robot(name)['frame']
+        self.lead(records, name, experience, metres)
+        lab.wait_until(f'{name} to be led on', lambda: (lambda row: row['reason'] == 'hand_done' and row['frame'] > before + 5)(self.robot(name)), 40)
+        self.weft('teach', name, 'stop', timeout=60)
+
     def localise(self, names):
         def located():
             rows = self.robots()
@@ -182,6 +246,11 @@ class Fleet:
     def send(self, station, robot=None):
         goal = self.weft('goal', 'send', '--to', f'station-{station}', *(['--robot', robot] if robot else []))['goal']
         self.accepted.append(goal)
+        return goal
+
+    def send_under_way(self, station, robot, share):
+        goal = self.send(station, robot)
+        self.wait_under_way(goal, share)
         return goal
 
     def goals(self):
@@ -232,6 +301,9 @@ class Fleet:
     def alarms(self, name):
         """The kinds of the alarms of a robot."""
         return {row['kind'] for row in self.weft('alarms', good=(0, 1))['alarms'] if row['robot'] == name}
+
+    def wait_alarm(self, name, kind, is_raised=True):
+        lab.wait_until(f"the alarm {kind} of {name} to be {'raised' if is_raised else 'over'}", lambda: (kind in self.alarms(name)) == is_raised, 40)
 
     def export(self):
         path = lab.ROOT / 'network.json'

@@ -44,16 +44,22 @@ def base_archive():
     return archive
 
 
+def import_base(say):
+    """Gives the engine, which runs, the small Debian, unless it has it."""
+    began = time.monotonic()
+    if not lab.docker('images', '-q', BASE).strip():
+        archive = base_archive()
+        say(f'base archive after {time.monotonic() - began:.0f} s')
+        lab.docker('import', archive, BASE)
+
+
 def make_all(targets, say):
     """Builds the images, and returns what is wrong with them; the engine stands in the host's network meanwhile."""
     engine = lab.Engine()
     engine.start(in_lab=False)
     try:
         began = time.monotonic()
-        if not lab.docker('images', '-q', BASE).strip():
-            archive = base_archive()
-            say(f'base archive after {time.monotonic() - began:.0f} s')
-            lab.docker('import', archive, BASE)
+        import_base(say)
         for target in targets:
             lab.docker('build', '--network', 'host', '-q', '-f', 'deploy/Containerfile', '--target', target, '--build-arg', 'STAGE=prebuilt', '-t',
                        f'weft-{target}:latest', '.', cwd=lab.TOP, timeout=900)

@@ -1,5 +1,6 @@
 """A private engine in a network namespace without uplink, its containers, and faults. All of it below one folder, and
 named after that, so that a run finds and removes what an aborted one left. Facts: docs/testing.md."""
+import contextlib
 import hashlib
 import os
 import pathlib
@@ -20,6 +21,7 @@ ENGINE = ROOT / 'engine'
 TAG = 'weft-' + hashlib.sha1(str(ROOT).encode()).hexdigest()[:6]      # namespace and control group
 NETWORK, SUBNET = 'bench', '10.77.0'
 USER = 10001
+CORE_SIGNALS = (signal.SIGQUIT, signal.SIGILL, signal.SIGTRAP, signal.SIGABRT, signal.SIGBUS, signal.SIGFPE, signal.SIGSEGV, signal.SIGSYS)
 
 
 def environment():
@@ -88,7 +90,15 @@ def own_processes():
 
 def own_mounts():
     rows = pathlib.Path('/proc/mounts').read_text().splitlines()
-    return [row.split()[1] for row in rows if row.split()[1].startswith((str(ROOT) + '/', str(WORK / 'images') + '/'))]
+    return [row.split()[1] for row in rows if (row.split()[1] + '/').startswith((str(ROOT) + '/', str(WORK / 'images') + '/'))]
+
+
+def crashes(since):
+    """name -> exit code of the containers that a signal has ended of which a core tells, since that time of the wall clock."""
+    said = docker('events', '--since', f'{since:.3f}', '--until', f'{time.time():.3f}', '--filter', 'event=die', '--format',
+                  '{{.Actor.Attributes.name}} {{.Actor.Attributes.exitCode}}')
+    ended = {name: int(code) for name, code in (line.split() for line in said.splitlines())}
+    return {name: code for name, code in ended.items() if code - 128 in CORE_SIGNALS}
 
 
 def clean():
@@ -169,11 +179,14 @@ class Node:
         """Runs a program of the host in its network."""
         return run('nsenter', '-t', self.pid(), '-n', *argv, **more)
 
+    def veth(self):
+        """The other end of its cable, in the lab's network."""
+        index = re.search(r'@if(\d+)', self.inside('ip', '-o', 'link', 'show', 'eth0')).group(1)
+        return re.search(rf'^{index}: ([^@:]+)', run('ip', '-n', TAG, '-o', 'link'), re.M).group(1)
+
     def link(self, up):
         """Cuts or mends its cable; the interface inside stays, without carrier."""
-        index = re.search(r'@if(\d+)', self.inside('ip', '-o', 'link', 'show', 'eth0')).group(1)
-        veth = re.search(rf'^{index}: ([^@:]+)', run('ip', '-n', TAG, '-o', 'link'), re.M).group(1)
-        run('ip', '-n', TAG, 'link', 'set', veth, 'up' if up else 'down')
+        run('ip', '-n', TAG, 'link', 'set', self.veth(), 'up' if up else 'down')
 
     def deaf_to(self, address, deaf=True):
         """Drops all that comes from there, or no longer."""
@@ -184,15 +197,35 @@ class Node:
         row = re.search(r'eth0:(.*)', pathlib.Path(f'/proc/{self.pid()}/net/dev').read_text()).group(1).split()
         return int(row[0]), int(row[8])
 
-    def rate(self, limit=None):
-        """Lets it send so many kbit a second at most; none: as many as it likes."""
-        if limit is None:
+    @contextlib.contextmanager
+    def slow(self, limit):
+        """Lets it send and receive so many kbit a second at most, meanwhile."""
+        veth, how = self.veth(), ('root', 'tbf', 'rate', f'{limit}kbit', 'burst', '16kb', 'latency', '400ms')
+        self.inside('tc', 'qdisc', 'add', 'dev', 'eth0', *how)
+        run('tc', '-n', TAG, 'qdisc', 'add', 'dev', veth, *how)
+        try:
+            yield
+        finally:
             self.inside('tc', 'qdisc', 'del', 'dev', 'eth0', 'root')
-        else:
-            self.inside('tc', 'qdisc', 'add', 'dev', 'eth0', 'root', 'tbf', 'rate', f'{limit}kbit', 'burst', '16kb', 'latency', '400ms')
+            run('tc', '-n', TAG, 'qdisc', 'del', 'dev', veth, 'root')
 
     def open_files(self):
         return len(list(pathlib.Path(f'/proc/{self.pid()}/fd').iterdir()))
+
+
+class Meter:
+    """What the interfaces of some nodes send and receive from now on."""
+
+    def __init__(self, nodes):
+        self.nodes, self.began, self.before = nodes, time.monotonic(), [node.bytes() for node in nodes]
+
+    def rates(self, sharers=1):
+        """(bytes a second sent, received), of each of so many who share them."""
+        now, per = [node.bytes() for node in self.nodes], sharers * (time.monotonic() - self.began)
+        return tuple(sum(b[way] - a[way] for a, b in zip(self.before, now)) / per for way in (1, 0))
+
+    def read(self, sharers=1):
+        return '{:.0f} sent, {:.0f} received'.format(*self.rates(sharers))
 
 
 class Loss:
@@ -211,16 +244,50 @@ class Loss:
         node.inside('nft', 'delete', 'table', 'ip', 'nat')
         node.inside('iptables', '-t', 'raw', '-A', 'PREROUTING', *self.RULE)
 
-    def end(self):
-        """Returns (passed, lost, overtook)."""
+    def take_away(self):
         self.node.inside('iptables', '-t', 'raw', '-D', 'PREROUTING', *self.RULE)
         self.node.inside('iptables-restore', '-T', 'nat', input=self.names)
+
+    def drop(self):
+        """Ends it, and what still waits is lost."""
+        self.process.kill()
+        self.process.wait(10)
+        self.take_away()
+
+    def end(self):
+        """Returns (passed, lost, overtook)."""
+        self.take_away()
         self.process.terminate()
         self.process.wait(10)
         words = self.log.read_text().split()
         if len(words) != 6:
             raise Trouble(f"netfault of {self.node.name}: {' '.join(words) or 'said nothing'}")
         return int(words[1]), int(words[3]), int(words[5])
+
+
+@contextlib.contextmanager
+def full(name):
+    """Has the disk of a container full to its last byte, meanwhile."""
+    path = ROOT / 'state' / name / 'ballast'
+    try:
+        with open(path, 'wb', buffering=0) as file:
+            with contextlib.suppress(OSError):
+                while True:
+                    file.write(bytes(65536))
+            os.fsync(file.fileno())
+        yield
+    finally:
+        path.unlink(missing_ok=True)
+
+
+def lost(losses):
+    """Ends them, and says how much was lost: about what was asked of them, or else they did not work."""
+    share, counts = losses[0].share, [loss.end() for loss in losses]
+    passed, lost_ = (sum(row[k] for row in counts) for k in (0, 1))
+    said = f'{lost_} of {passed + lost_} packets'
+    if lost_ < share / 2 * (passed + lost_):
+        raise Trouble(f'only {said} were lost: the fault did not work')
+    return said
 
 
 class Lab:

@@ -16,6 +16,7 @@ STANDS_M_S = 0.02
 STANDING = ('lost', 'stopped', 'idle', 'faulted')
 STANDS_AFTER_S = 1.0        # of the body's time
 FOOTPRINT_M = 0.4
+NEARER_M = 0.05             # whoever turns on the spot to go away may come so much nearer
 
 
 @dataclass
@@ -28,6 +29,10 @@ class Robot:
     def at_frame(self, frame):
         i = bisect.bisect_left(self.frames, frame)
         return self.rows[i] if i < len(self.frames) and self.frames[i] == frame else None
+
+    def stood(self, frames):
+        """Whether it stood in its last so many frames."""
+        return all(abs(row[4]) < STANDS_M_S for row in self.rows[-frames:])
 
     def between(self, after, to):
         """The rows of the frames (after, to]."""
@@ -75,6 +80,10 @@ class Records:
             robot.orders.append(row)
         elif name == 'motion.jsonl':
             robot.motion.append(row)
+
+    def ordered(self):
+        """The goals for which robots have had a route."""
+        return {order['goal'] for robot in self.robots.values() for order in robot.orders if order['route'] != NO_ROUTE}
 
     def true_places(self, names):
         """place -> (x, y) where the robot that taught it stood; `names`: peer -> robot."""
@@ -175,19 +184,26 @@ def stands(records, since=0.0):
 
 
 def apart(records, since=0.0, unknown=()):
-    """A5: no two bodies touch while one of them drives by itself, but for those that the server cannot know of. Returns (broken, least
-    distance in metres)."""
+    """A5: no two bodies touch while one of them drives by itself, but for those that the server cannot know of, and no further than a
+    hand has led one to the other. Returns (broken, least distance in metres)."""
     rows = sorted((row[1], name, row) for name, robot in records.robots.items() if name not in unknown for row in robot.rows)
-    now, least, broken = {}, math.inf, {}
+    now, least, broken, led = {}, math.inf, {}, {}
     for at, name, row in rows:
         now[name] = row
-        if at < since or row[5] or abs(row[4]) < STANDS_M_S:
+        if at < since or abs(row[4]) < STANDS_M_S:
             continue
         for other, theirs in now.items():
             if other == name:
                 continue
-            away = math.hypot(row[2] - theirs[2], row[3] - theirs[3])
+            pair, away = frozenset((name, other)), math.hypot(row[2] - theirs[2], row[3] - theirs[3])
+            if away >= 2 * FOOTPRINT_M:
+                led.pop(pair, None)
+            elif row[5]:
+                led[pair] = away
+            if row[5]:
+                continue
             least = min(least, away)
-            if away < 2 * FOOTPRINT_M and (name, other) not in broken:
+            nearest = led[pair] - NEARER_M if pair in led else 2 * FOOTPRINT_M
+            if away < nearest and (name, other) not in broken:
                 broken[name, other] = f'{name} drives {away:.2f} m from {other} at frame {row[0]}'
     return list(broken.values()), least

@@ -98,6 +98,12 @@ class Network(unittest.TestCase):
         self.assertTrue(network.apart(read(files))[0])
         self.assertEqual(network.apart(read(files), unknown={'r2'})[0], [], 'nobody can keep off one that is not known')
 
+    def test_who_was_led_to_another_may_go_away_but_no_nearer(self):
+        for goes_on_to, is_seen in ((0.9, False), (0.4, True)):
+            led = [truth('r1', 100, 0.6, speed=0.5, hand=True), truth('r1', 101, goes_on_to, speed=0.5)]
+            files = {'truth-r1.jsonl': led, 'truth-r2.jsonl': [truth('r2', 99, 0.0, speed=0.0)]}
+            self.assertEqual(bool(network.apart(read(files))[0]), is_seen)
+
     def test_goals_that_vanish_change_or_stay_are_seen(self):
         listed = [dict(id='a', state='succeeded'), dict(id='b', state='executing')]
         self.assertEqual(network.goals(['a'], listed, {'a': 'succeeded'}), [])

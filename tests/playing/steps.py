@@ -73,6 +73,9 @@ class Steps:
             ended = signalled.args[0]
             print('--- ended; cleaning up', flush=True)
             clean()
+        except BaseException:                       # a defect of the scenarios
+            clean()
+            raise
         if self.failures:
             print('failed: ' + ', '.join(self.failures))
         print(f'{self.passed} passed, {len(self.failures)} failed, {self.skipped} skipped', flush=True)

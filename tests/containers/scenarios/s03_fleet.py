@@ -8,18 +8,11 @@ GOALS, AT_ONCE = 20, 5
 IDLE_S = 5
 
 
-def rates(fleet, before, seconds):
-    """(bytes a second received, sent) by a robot, on average."""
-    now = [fleet.node(name).bytes() for name in fleet.names]
-    return [round(sum(b[way] - a[way] for a, b in zip(before, now)) / len(now) / seconds) for way in (0, 1)]
-
-
-def measured(bench, what, work, names=None):
+def measured(bench, what, work):
     fleet = bench.fleet
-    before, began = [fleet.node(name).bytes() for name in fleet.names], time.monotonic()
+    meter = fleet.meter(fleet.names)
     work()
-    received, sent = rates(fleet, before, time.monotonic() - began)
-    bench.numbers[f'six robots, {what}, bytes/s a robot'] = f'{sent} sent, {received} received'
+    bench.numbers[f'six robots, {what}, bytes/s a robot'] = meter.read(len(fleet.names))
 
 
 def run(bench):

@@ -27,10 +27,7 @@ def run(bench):
     fleet.wait_heard(['r5'])
     if fleet.weft('map', 'info')['places'] <= places:
         raise lab.Trouble('nothing of what r5 was taught until it was killed came to the server')
-    before = fleet.robot('r5')['frame']
-    fleet.lead(bench.records, 'r5', 'r5-again', 8)
-    lab.wait_until('r5 to be led on', lambda: (lambda row: row['reason'] == 'hand_done' and row['frame'] > before + 5)(fleet.robot('r5')), 40)
-    fleet.weft('teach', 'r5', 'stop', timeout=60)
+    fleet.lead_on(bench.records, 'r5', 'r5-again', 8)
     if not fleet.robot('r5')['localised']:
         fleet.localise(['r5'])
     fleet.wait_goals([fleet.send(5, 'r5')], 60)
