@@ -18,6 +18,7 @@ STAND_STILL_DOMAINS = 160, 161
 CEILING_DOMAIN = 159
 HEALTH_DOMAIN = 162
 WATCHED_DOMAIN = 163
+TOPOMETRIC_DOMAIN = 164
 MONITORING_DOMAIN, RESTORE_DOMAIN = 165, 166
 SIMULATE = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / 'build/release/tests/weft-simulate'
 
