@@ -197,6 +197,46 @@ class Words(unittest.TestCase):
         self.assertNotEqual(run('check_words.py', {}, '## Words that are not used\n')[0], 0)
 
 
+class NoDepth(unittest.TestCase):
+    ROOM = 'agents/bodies/sim/'
+    LISTED = {ROOM + 'base.hpp': 'double distance_to(const Box& box);\ndouble distance_to_rim(const Pose2& pose);\n',
+              ROOM + 'scene.hpp': '  float distance(const Ray& ray) const {\n', ROOM + 'hall/ceiling_canvas.hpp': 'double depth_m() const;\n',
+              ROOM + 'hall/quad_scene.hpp': 'float distance_m(const Eigen::Vector3f& eye) const;\n',
+              ROOM + 'hall/hall_camera.hpp': '/// For judges.\ndouble distance_m(int column) const;\n',
+              ROOM + 'hall/hall_camera.cpp': 'return hall_->scene().distance_m(eye);\n',
+              'agents/perception/view.hpp': 'struct View {\n  std::variant<Image, StereoPair, Payload> data;\n};\n'}
+
+    def check(self, files):
+        return run('check_no_depth.py', self.LISTED | files, '')
+
+    def test_what_is_listed_for_another_purpose_or_for_judges_passes(self):
+        files = {'agents/methods/a.cpp': '// body.distance_m(3)\nconst double m = distance_m(relation);\n', 'clients/judge.cpp': 'camera.distance_m(3);\n'}
+        self.assertEqual(self.check(files), (0, ''))
+
+    def test_a_function_that_tells_depth_is_named(self):
+        for line in ('Image depth_image() const;', 'std::vector<float> disparities(const Moment& moment);', 'double range_at(int column);',
+                     'virtual float\n    true_depth(int column) const = 0;', 'const Matrix& distances() const { return all_; }'):
+            code, text = self.check({self.ROOM + 'new.hpp': line + '\n'})
+            self.assertEqual(code, 1, line)
+            self.assertIn(self.ROOM + 'new.hpp:1: ', text)
+
+    def test_an_agent_that_asks_as_judges_do_is_named(self):
+        for name in ('agents/bodies/sim/sim_body.cpp', 'agents/methods/a.hpp'):
+            code, text = self.check({name: '\nx = camera_->distance_m(3);\n'})
+            self.assertEqual((code, text), (1, f'{name}:2: asks for a true distance, which is for judges alone\n'))
+
+    def test_a_view_that_holds_more_than_images_is_named(self):
+        code, text = self.check({'agents/perception/view.hpp': 'std::variant<Image, DepthImage> data;\n'})
+        self.assertEqual(code, 1)
+        self.assertIn('a view holds DepthImage', text)
+
+    def test_an_empty_room_and_a_stale_list_are_no_free_pass(self):
+        self.assertNotEqual(run('check_no_depth.py', {}, '')[0], 0)
+        code, text = self.check({self.ROOM + 'scene.hpp': ''})
+        self.assertEqual(code, 1)
+        self.assertIn('scene.hpp: distance() is listed', text)
+
+
 class MessagesOnce(unittest.TestCase):
     TREE = {'idl/bus/message_list.hpp': '// rows\nWEFT_TOPIC(hello, Hello, .depth = 1)\nWEFT_TOPIC(\n    chunk_up, Chunk, .depth = 1)\n'
                                         'WEFT_TOPIC(chunk_down, Chunk, .depth = 2)\n#undef WEFT_TOPIC\n',
