@@ -280,6 +280,14 @@ concept Registers = Method<M> && requires(const M& m, const typename M::Content&
   { m.registered(content, content, a_from_b) } -> std::same_as<Relation>;
 };
 
+/// Describes a method that can tell two places apart which look alike where both see the same.
+template <class M>
+concept Contradicts = Method<M> &&
+    requires(const M& m, const typename M::Content& content, const Relation& a_from_b) {
+  /// Returns what either of them shows, were they related so, that the other one should show and does not: 0 or more.
+  { m.contradiction(content, content, a_from_b) } -> std::same_as<double>;
+};
+
 /// Describes a method that sees whether a straight way between two places nobody has driven is free: a shortcut.
 template <class M>
 concept Clears = ChartsItself<M> && requires(const M& m, const typename M::Chart& chart, const Pose2& pose) {

@@ -72,6 +72,7 @@ class Topometric {
   std::optional<Signature> sign(const Content& content) const;
   /// Returns the relation of two places taught one after the other: odometry's, made better by what both saw.
   Relation registered(const Content& a, const Content& b, const Relation& a_from_b) const;
+  double contradiction(const Content& a, const Content& b, const Relation& a_from_b) const;
 
   using Chart = TopometricChart;
   using Belief = TopometricBelief;
