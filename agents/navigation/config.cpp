@@ -62,6 +62,9 @@ void each_stitch(Config& stitch, const In& in) {
   in("agree_rad", stitch.agree_rad, Low::open, 0, 0.5);
   in("trusted_sigma_m", stitch.trusted_sigma_m, Low::open, 0, 1);
   in("most_doubt", stitch.most_doubt, Low::closed, 0, 1);
+  in("proven_m", stitch.proven_m, Low::open, 0, 1000);
+  in("parted_m", stitch.parted_m, Low::open, 0, 100);
+  in("most_contradiction", stitch.most_contradiction, Low::closed, 0, 1000);
   in("sure_m", stitch.sure_m, Low::open, 0, 1);
   in("drivable_m", stitch.drivable_m, Low::open, 0, 3);
   in("drivable_rad", stitch.drivable_rad, Low::open, 0, 3.2);

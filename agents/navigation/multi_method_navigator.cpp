@@ -153,6 +153,16 @@ class MultiMethodNavigator final : public Navigator {
       if (const auto suspected = one.navigator->suspected()) return suspected;
     return std::nullopt;
   }
+  std::set<ExperienceId> told_apart() const override {
+    std::set<ExperienceId> all;
+    for (const MethodNavigator& one : navigators_) all.merge(one.navigator->told_apart());
+    return all;
+  }
+  std::optional<PlaceId> beside() const override {
+    for (const MethodNavigator& one : navigators_)
+      if (const auto beside = one.navigator->beside()) return beside;
+    return std::nullopt;
+  }
   std::vector<Diagnostic> diagnostics() const override { return gathered(&Navigator::diagnostics); }
   std::vector<WatchedDiagnostic> watched() const override { return gathered(&Navigator::watched); }
   Result<TeachReport> teach_report() const override { return navigators_.front().navigator->teach_report(); }

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -144,6 +145,11 @@ class Navigator {
   virtual void propose(std::uint64_t /*question*/, const std::vector<PlaceId>& /*places*/) {}
   /// Returns where the robot may be by a fix that no second one has confirmed: the places around it are wanted.
   virtual std::optional<PlaceId> suspected() const { return std::nullopt; }
+  /// Returns the latest place of the map that a run being taught lies beside, though nothing that was handed in joins
+  /// it to that; none: there is no such place.
+  virtual std::optional<PlaceId> beside() const { return std::nullopt; }
+  /// Returns the runs of the map that the one being taught, or taught last, looks like and has been told apart from.
+  virtual std::set<ExperienceId> told_apart() const { return {}; }
   /// Returns what the drive so far has shown of the robot beside where it is; what is not known well enough is left
   /// out.
   virtual std::vector<Diagnostic> diagnostics() const { return {}; }

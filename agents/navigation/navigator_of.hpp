@@ -116,6 +116,8 @@ class NavigatorOf final : public Navigator {
       keep(map, last);
       if (last.kept.empty()) return {};  // this view shows too little; another one is waited for
       come_back(map, last.kept.back());
+      const std::vector<Edge> held = stitcher_.rest();
+      last.kept.back().edges.insert(last.kept.back().edges.end(), held.begin(), held.end());
     }
     leave_teach();
     return std::move(last.kept);
@@ -204,6 +206,8 @@ class NavigatorOf final : public Navigator {
     (finder_ ? *finder_ : localiser_).propose(question, places);
   }
   std::optional<PlaceId> suspected() const override { return looks().suspected(); }
+  std::set<ExperienceId> told_apart() const override { return stitcher_.told_apart(); }
+  std::optional<PlaceId> beside() const override { return teacher_ ? stitcher_.beside() : std::nullopt; }
 
   std::vector<Diagnostic> diagnostics() const override {
     if constexpr (Diagnoses<M>) return method_.diagnose(odometry_);
@@ -279,7 +283,7 @@ class NavigatorOf final : public Navigator {
   /// Returns whether the run is to end with a place. One that knows no poses is in any case: only at its end it shows
   /// what it has come back to.
   bool is_to_end_with_a_place() const {
-    return teacher_->worth_an_end() || (ChartsItself<M> && teacher_->driven_m() > 0.0);
+    return teacher_->worth_an_end() || stitcher_.beside() || (ChartsItself<M> && teacher_->driven_m() > 0.0);
   }
 
   /// Returns whether the newest view may become a place. One that vision could not join to the view before may show
@@ -311,12 +315,13 @@ class NavigatorOf final : public Navigator {
     own_.update(map.window, map.generation, false);
     if (anchor_) own_.anchor(anchor_edge(*anchor_, kept.place.id));
     anchor_.reset();
-    auto found = stitcher_.look(own_.map(map.window), map.contents, decoded_, *teacher_, kept.place, *content);
-    for (const Edge& edge : found.edges) own_.anchor(edge);
+    auto found = stitcher_.prove(own_.map(map.window), map.contents, decoded_, *teacher_, kept.place, *content);
+    if (found.is_told_apart) own_.part_from_others(map.window);
+    for (const Edge& edge : found.believed) own_.anchor(edge);
     if constexpr (Clears<M>) {
       if (config_.stitch.enabled) cut_short(map, kept);
     }
-    kept.edges.insert(kept.edges.end(), found.edges.begin(), found.edges.end());
+    kept.edges.insert(kept.edges.end(), found.to_hand_in.begin(), found.to_hand_in.end());
     if (found.fix) navigated.fix = found.fix;
     navigated.refusals.insert(navigated.refusals.end(), found.refusals.begin(), found.refusals.end());
     navigated.kept.push_back(std::move(kept));
@@ -324,7 +329,8 @@ class NavigatorOf final : public Navigator {
 
   /// Adds the shortcuts that can be seen from a place just kept.
   void cut_short(const MapView& map, Kept& kept) requires Clears<M> {
-    const auto found = shortcuts(method_, config_, own_.map(map.window), map.contents, decoded_, kept.place.id);
+    const auto found = shortcuts(method_, config_, own_.map(map.window), map.contents, decoded_, kept.place.id,
+                                 stitcher_.beside().has_value());
     for (const Edge& edge : found) own_.anchor(edge);
     kept.edges.insert(kept.edges.end(), found.begin(), found.end());
   }

@@ -54,6 +54,11 @@ void OwnMap::anchor(const Edge& edge) {
   if (joined_) insert(*joined_, {edge});
 }
 
+void OwnMap::part_from_others(const Window& window) {
+  std::erase_if(edges_, [](const Edge& edge) { return edge.id.a.experience != edge.id.b.experience; });
+  if (joined_) join(window);
+}
+
 bool OwnMap::has(const PlaceId& place) const {
   return std::any_of(places_.begin(), places_.end(), [&](const Place& own) { return own.id == place; });
 }

@@ -21,6 +21,8 @@ class OwnMap {
   /// Add a place and edges to places of this map. `anchor`: a join that the robot believes but does not hand in.
   void add(const Place& place, const std::vector<Edge>& edges);
   void anchor(const Edge& edge);
+  /// Takes out what joins the own places to those of other runs.
+  void part_from_others(const Window& window);
   /// Returns whether a place is one of those that were added.
   bool has(const PlaceId& place) const;
   /// Joins the own places to a new window; to be called with each, before `map`; `generation` as in MapView. Once the

@@ -39,12 +39,14 @@ typename M::Chart chart_of(const M& method, const Window& map, const Contents& b
 
 /// Returns the edges of straight ways from a place just kept to places of its own run that nobody has driven, where
 /// the method sees that they are free: all robots of the method drive them, in either direction (Dayoub et al. 2013,
-/// IV-C). The method is asked for at most two, those that save most. `map` holds the kept place and its edges.
+/// IV-C). The method is asked for at most two, those that save most. `map` holds the kept place and its edges;
+/// `own_alone`: what other runs have seen does not count.
 template <Clears M>
 std::vector<Edge> shortcuts(const M& method, const NavigationConfig& config, const Window& map, const Contents& bytes,
-                            DecodedContents<M>& decoded, const PlaceId& kept) {
+                            DecodedContents<M>& decoded, const PlaceId& kept, bool own_alone = false) {
   constexpr std::size_t most_asked = 2;
-  const std::vector<Reached> near = near_ways_from(map, kept, M::chart_size.places);
+  std::vector<Reached> near = near_ways_from(map, kept, M::chart_size.places);
+  if (own_alone) std::erase_if(near, [&](const Reached& one) { return one.id.experience != kept.experience; });
   std::vector<Detour> detours = worth_cutting(map, kept, near);
   std::erase_if(
       detours, [&](const Detour& detour) { return spread_of(detour.kept_from_place).metres > config.stitch.sure_m; });

@@ -11,6 +11,7 @@
 #include "agents/navigation/belief.hpp"
 #include "agents/navigation/candidates.hpp"
 #include "agents/navigation/decoded_contents.hpp"
+#include "agents/navigation/held_stitches.hpp"
 #include "agents/navigation/localised_around.hpp"
 #include "agents/navigation/route_ahead.hpp"
 #include "agents/navigation/teacher.hpp"
@@ -30,9 +31,17 @@ class Stitcher {
     std::optional<Fix> fix;  ///< of the robot standing at the kept place: the first stitch
     std::vector<Refusal> refusals;
   };
+  /// Holds what becomes of the stitches of a place that was kept while teaching.
+  struct Proven {
+    std::vector<Edge> believed;    ///< found at this place
+    std::vector<Edge> to_hand_in;  ///< of this place and of those before
+    bool is_told_apart = false;    ///< from all other runs that it seemed to lie beside: nothing joins them any more
+    std::optional<Fix> fix;
+    std::vector<Refusal> refusals;
+  };
 
   Stitcher(const M& method, const NavigationConfig& config)
-      : method_(&method), config_(config), across_(config.stitch) {}
+      : method_(&method), config_(config), across_(config.stitch), held_(config.stitch) {}
 
   void clear() { *this = Stitcher(*method_, config_); }
 
@@ -72,6 +81,39 @@ class Stitcher {
     return found;
   }
 
+  /// Does the same while a run is taught: what stitches it to other runs is held back until it is proven, where the
+  /// method can tell places apart that look alike.
+  Proven prove(const Window& map, const Contents& bytes, DecodedContents<M>& decoded, const Teacher& teacher,
+               const Place& kept, const Content& content) {
+    Found found = look(map, bytes, decoded, teacher, kept, content);
+    Proven proven{found.edges, std::move(found.edges), false, std::move(found.fix), std::move(found.refusals)};
+    if constexpr (Contradicts<M>) {
+      if (const std::optional<Refusal> other = held_.disproved()) {
+        proven.refusals.push_back(*other);
+        std::erase_if(proven.believed, is_to_another);
+        proven.to_hand_in = proven.believed;
+        proven.is_told_apart = true;
+        proven.fix.reset();
+        pending_.reset();
+        pending_across_.reset();
+        return proven;
+      }
+      const auto others =
+          std::ranges::partition(proven.to_hand_in, [](const Edge& edge) { return !is_to_another(edge); });
+      held_.take({others.begin(), others.end()}, teacher.driven_m());
+      proven.to_hand_in.erase(others.begin(), others.end());
+      const std::vector<Edge> by_now = held_.proven(teacher.driven_m());
+      proven.to_hand_in.insert(proven.to_hand_in.end(), by_now.begin(), by_now.end());
+    }
+    return proven;
+  }
+  /// Returns the stitches that are held back still, as the run ends.
+  std::vector<Edge> rest() { return held_.rest(); }
+  /// Returns the other runs that this one has been told apart from, though it looks like them.
+  const std::set<ExperienceId>& told_apart() const { return held_.elsewhere(); }
+  /// Returns where the map is that a run seems to lie beside, though nothing that is handed in joins it to that.
+  std::optional<PlaceId> beside() const { return held_.beside(); }
+
   /// Returns the stitch that what was found makes.
   Edge edge(const PlaceId& older, const PlaceId& kept, const Related& related) const {
     Edge edge;
@@ -86,6 +128,8 @@ class Stitcher {
   }
 
  private:
+  static bool is_to_another(const Edge& edge) { return edge.id.a.experience != edge.id.b.experience; }
+
   /// Holds a relation over an uncertain way, which waits for a second one.
   struct Pending {
     PlaceId place;
@@ -102,9 +146,9 @@ class Stitcher {
     if constexpr (Gazes<M>) reach_m += 2.0 * method_->gaze(content).norm();  // two robots that face one another
     std::vector<Candidate> around = at_any_heading(config_, map, here, everywhere, reach_m);
     std::erase_if(around, [&](const Candidate& candidate) {
-      return candidate.place.experience == kept.experience &&
-             (candidate.place.index + 1 >= kept.index ||
-              teacher.driven_since_m(candidate.place.index) < config_.stitch.own_distance_m);
+      if (candidate.place.experience != kept.experience) return held_.is_elsewhere(candidate.place.experience);
+      return candidate.place.index + 1 >= kept.index ||
+             teacher.driven_since_m(candidate.place.index) < config_.stitch.own_distance_m;
     });
     return around;
   }
@@ -184,6 +228,7 @@ class Stitcher {
     const bool trusted = spread.metres <= config_.stitch.trusted_sigma_m;
     const std::optional<Relation> guess = trusted ? std::optional(candidate.place_from_robot) : std::nullopt;
     OrRefusal<Related> related = method_->relate(other, content, guess);
+    hold_against(other, content, candidate.place, kept, related, guess);
     if (!related) return related;
     // A robot may be found where something has come or gone; maps are joined only by what is as it was.
     if (!trusted && related->doubt > config_.stitch.most_doubt)
@@ -204,6 +249,16 @@ class Stitcher {
     return tl::unexpected(Refusal{"stitch_unconfirmed", spread.metres, config_.stitch.trusted_sigma_m});
   }
 
+  /// Notes what speaks against two places of two runs lying to each other as is found, or else as is believed.
+  void hold_against(const Content& other, const Content& content, const PlaceId& there, const PlaceId& kept,
+                    const OrRefusal<Related>& related, const std::optional<Relation>& guess) {
+    if constexpr (Contradicts<M>) {
+      if (there.experience == kept.experience || (!related && !guess)) return;
+      held_.contradict(there.experience,
+                       method_->contradiction(other, content, related ? related->a_from_b : *guess));
+    }
+  }
+
   /// Returns place_from_kept as the pending stitch and the chains between both pairs of places say.
   std::optional<Relation> through_pending(const Window& map, const PlaceId& place, const PlaceId& kept,
                                           const std::optional<Pending>& pending) const {
@@ -218,6 +273,7 @@ class Stitcher {
   const M* method_;
   NavigationConfig config_;
   Across across_;
+  HeldStitches held_;
   std::optional<Pending> pending_;
   std::optional<Pending> pending_across_;
 };

@@ -1,0 +1,164 @@
+#include "agents/navigation/held_stitches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "tests/agents/navigation/marks_fleet.hpp"
+
+namespace weft::agents {
+namespace {
+
+using test::Course;
+using test::NavigatedRobot;
+
+constexpr ExperienceId kOther{1};
+constexpr ExperienceId kOwn{2};
+
+Edge stitch(std::uint32_t index) {
+  Edge edge;
+  edge.id = {PlaceId{kOther, index}, PlaceId{kOwn, index}};
+  edge.origin = Origin::stitch;
+  return edge;
+}
+
+TEST(HeldStitches, AShortWayBesideOthersIsHeldUntilTheRunEnds) {
+  HeldStitches held{StitchConfig{}};
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    held.take({stitch(i)}, 0.5 * i);
+    EXPECT_TRUE(held.proven(0.5 * i).empty());
+  }
+  EXPECT_EQ(held.beside(), (PlaceId{kOther, 9}));
+  EXPECT_EQ(held.rest().size(), 10U);
+  EXPECT_TRUE(held.rest().empty()) << "each is handed in once";
+  EXPECT_FALSE(held.beside());
+}
+
+TEST(HeldStitches, ALongOneIsProvenOnTheWay) {
+  HeldStitches held{StitchConfig{}};
+  std::size_t handed_in = 0;
+  for (std::uint32_t i = 0; i <= 130; ++i) {
+    held.take({stitch(i)}, 0.5 * i);
+    handed_in += held.proven(0.5 * i).size();
+    EXPECT_EQ(handed_in, 0.5 * i > 60.0 ? i + 1U : 0U);
+  }
+}
+
+TEST(HeldStitches, WhereTheWayPartsTheyAreHandedInAndItIsProvenAnew) {
+  HeldStitches held{StitchConfig{}};
+  held.take({stitch(0)}, 1.0);
+  held.take({stitch(1)}, 2.0);
+  EXPECT_TRUE(held.proven(11.9).empty());
+  EXPECT_EQ(held.proven(12.1).size(), 2U);
+  held.take({stitch(2)}, 100.0);
+  EXPECT_TRUE(held.proven(100.0).empty()) << "what lies between was not beside others";
+}
+
+TEST(HeldStitches, WhatIsContradictedIsGivenUpForGood) {
+  HeldStitches held{StitchConfig{}};
+  held.take({stitch(0)}, 0.0);
+  held.contradict(kOther, 12.0);
+  EXPECT_FALSE(held.disproved()) << "no more than the bound";
+  held.contradict(kOther, 1.0);
+  const std::optional<Refusal> refusal = held.disproved();
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->reason, "looks_like_another");
+  EXPECT_DOUBLE_EQ(refusal->measured, 13.0);
+  EXPECT_TRUE(held.is_elsewhere(kOther));
+  EXPECT_TRUE(held.rest().empty());
+  EXPECT_FALSE(held.disproved());
+}
+
+TEST(HeldStitches, WhatIsProvenIsNotDoubtedAnyMore) {
+  HeldStitches held{StitchConfig{}};
+  held.take({stitch(0)}, 0.0);
+  held.take({stitch(1)}, 61.0);
+  EXPECT_EQ(held.proven(61.0).size(), 2U);
+  held.contradict(kOther, 100.0);
+  EXPECT_FALSE(held.disproved());
+}
+
+/// Sees marks, and is told what speaks against two places being one.
+class Doubting : public MarksMethod {
+ public:
+  explicit Doubting(std::function<double()> contradicts) : contradicts_(std::move(contradicts)) {}
+  double contradiction(const Content&, const Content&, const Relation&) const { return contradicts_(); }
+
+ private:
+  std::function<double()> contradicts_;
+};
+static_assert(Contradicts<Doubting>);
+static_assert(!Contradicts<MarksMethod>);
+
+class TwoRunsOnOneWay : public MarksFleet {
+ protected:
+  std::unique_ptr<Navigator> navigator() const override {
+    return make_navigator(Doubting([this] { return asked++ < after ? 0.0 : contradicts; }), navigation);
+  }
+  void teach_both() {
+    const std::vector<Pose2> way = Course({5, 5, 0}).straight(6.0).poses;
+    teach(first, way);
+    asked = 0;
+    NavigatedRobot robot = robot_at(way.front(), 2);
+    robot.teach(server, second, way, truth);
+    refusals = robot.refusals;
+    told_apart = robot.navigator().told_apart();
+  }
+  std::size_t stitches() const {
+    std::size_t count = 0;
+    for (const Edge& edge : server.snapshot().experience(second)->stitches) count += edge.id.a.experience == first;
+    return count;
+  }
+
+  mutable int asked = 0;
+  int after = 0;
+  double contradicts = 0.0;
+  std::map<std::string, int> refusals;
+  std::set<ExperienceId> told_apart;
+};
+
+TEST_F(TwoRunsOnOneWay, AreStitchedWhereNothingSpeaksAgainst) {
+  teach_both();
+  EXPECT_GT(asked, 10);
+  EXPECT_GT(stitches(), 10U);
+  EXPECT_TRUE(told_apart.empty());
+}
+
+TEST_F(TwoRunsOnOneWay, NothingIsHandedInBeforeTheEndAndAllThen) {
+  const std::vector<Pose2> way = Course({5, 5, 0}).straight(6.0).poses;
+  teach(first, way);
+  NavigatedRobot robot = robot_at(way.front(), 2);
+  robot.navigator().begin_teach({second, RobotId{{2}}});
+  std::size_t kept = 0;
+  const auto to_another = [](const std::vector<Kept>& places) {
+    std::size_t count = 0;
+    for (const Kept& place : places)
+      for (const Edge& edge : place.edges) count += edge.id.a.experience == first;
+    return count;
+  };
+  robot.hand(way, [&] {
+    const Navigated navigated = robot.step(server.map(), true);
+    server.take(second, RobotId{{2}}, "marks", navigated.kept);
+    kept += navigated.kept.size();
+    EXPECT_EQ(to_another(navigated.kept), 0U);
+  });
+  ASSERT_TRUE(robot.navigator().beside());
+  EXPECT_EQ(robot.navigator().beside()->experience, first);
+  std::vector<Kept> last = robot.navigator().end_teach(server.map());
+  for (; robot.navigator().is_taught(); last = robot.navigator().end_teach(server.map()))
+    robot.step(server.map(), true);
+  EXPECT_GT(to_another(last), kept / 2);
+  EXPECT_FALSE(robot.navigator().beside());
+}
+
+TEST_F(TwoRunsOnOneWay, AreNotStitchedAtAllWhereEnoughSpeaksAgainstInTheEnd) {
+  after = 20;
+  contradicts = 10.0;
+  teach_both();
+  EXPECT_EQ(stitches(), 0U);
+  EXPECT_EQ(refusals["looks_like_another"], 1);
+  EXPECT_EQ(told_apart, std::set<ExperienceId>{first});
+}
+
+}  // namespace
+}  // namespace weft::agents
