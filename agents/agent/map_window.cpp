@@ -12,6 +12,14 @@ WindowDefinition everything(const WindowSize& size) {
   return {.centre = std::nullopt, .hops = size.hops, .cap = size.cap, .route = {}};
 }
 
+/// Returns the place around which the robot needs the map. One that is being taught lies beside the map before
+/// anything joins it to that.
+std::optional<PlaceId> around(const Navigator& navigator) {
+  if (const std::optional<PlaceId> beside = navigator.beside()) return beside;
+  const std::optional<Estimate> estimate = navigator.estimate();
+  return estimate ? std::optional(estimate->place) : std::nullopt;
+}
+
 }  // namespace
 
 MapWindow::MapWindow(const Limits& limits, std::uint64_t first_id, SteadyTime now)
@@ -100,7 +108,7 @@ void MapWindow::follow_search(bool has_fix, const MapContext& context, SteadyTim
 }
 
 void MapWindow::recentre(const std::optional<PlaceId>& durable, const MapContext& context, SteadyTime now) {
-  if (!focus_.follow(context.navigator.estimate(), now)) return;
+  if (!focus_.follow(around(context.navigator), now)) return;
   if (cache_.missing() > 0) want_contents(context, now);
   const WindowFocus::Situation situation{.cap = cap_, .taught = context.taught, .durable = durable};
   if (std::optional<WindowDefinition> definition = focus_.recentred(replica_, situation)) {

@@ -12,9 +12,9 @@ constexpr std::uint32_t kDriftHops = 8;  ///< the window moves when the robot is
 constexpr Duration kBetweenMoves = 1s;   ///< of the window
 }  // namespace
 
-bool WindowFocus::follow(const std::optional<Estimate>& estimate, SteadyTime now) {
-  if (!estimate.has_value() || estimate->place == place_ || now - taken_at_ < kBetweenMoves) return false;
-  place_ = estimate->place;
+bool WindowFocus::follow(const std::optional<PlaceId>& place, SteadyTime now) {
+  if (!place.has_value() || *place == place_ || now - taken_at_ < kBetweenMoves) return false;
+  place_ = *place;
   taken_at_ = now;
   return true;
 }

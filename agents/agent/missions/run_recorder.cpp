@@ -35,6 +35,7 @@ Result<void> RunRecorder::close(const std::string& reason, SteadyTime now) {
 }
 
 Result<void> RunRecorder::seal(SteadyTime now) {
+  run_.told_apart = uses_.navigator.told_apart();
   uses_.navigator.leave_teach();
   const Result<void> sealed = close("taught to its end", now);
   if (!sealed) uses_.navigator.forget_taught(uses_.map.window());

@@ -1,6 +1,7 @@
 #include "agents/agent/missions/taught_run.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "core/names.hpp"
 
@@ -16,7 +17,10 @@ bool TaughtRun::joins(const Edge& edge) const {
 
 void TaughtRun::count(const Kept& place) {
   ++kept;
-  if (std::any_of(place.edges.begin(), place.edges.end(), [this](const Edge& edge) { return joins(edge); })) ++joined;
+  std::set<PlaceId> now;  // of places before this one, too, whose stitches were held back
+  for (const Edge& edge : place.edges)
+    if (joins(edge)) now.insert(edge.id.b);
+  joined += now.size();
 }
 
 Result<TaughtRun> new_run(const std::string& name, const std::vector<std::string>& methods, ExperienceIds& ids) {
@@ -38,11 +42,16 @@ std::string name_of_other(const std::string& name, const std::string& method) {
 
 std::string summary(const TaughtRun& run) {
   const std::string places = std::to_string(run.kept) + (run.kept == 1 ? " place" : " places");
+  std::string apart;
+  for (const ExperienceId& other : run.told_apart)
+    apart += (apart.empty() ? "; it looks like run " : ", ") + to_string(other);
+  if (!apart.empty()) apart += ", and has been told apart from that by what lies around";
   return run.joined > 0
              ? places + ", " + std::to_string(run.joined) +
-                   " joined to what was taught before, or to its own beginning"
+                   " joined to what was taught before, or to its own beginning" + apart
              : places +
-                   ", none joined to what was taught before, nor to its own beginning, in a way that can be driven";
+                   ", none joined to what was taught before, nor to its own beginning, in a way that can be driven" +
+                   apart;
 }
 
 }  // namespace weft::agents

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@ struct TaughtRun {
   ExperienceId experience;           ///< of the first method
   std::vector<ExperienceId> others;  ///< of the methods beside it
   std::string name;
-  std::size_t kept = 0;    ///< places of all its experiences
-  std::size_t joined = 0;  ///< of these, to places of other runs or far back in the same one
+  std::size_t kept = 0;                    ///< places of all its experiences
+  std::size_t joined = 0;                  ///< of these, to places of other runs or far back in the same one
+  std::set<ExperienceId> told_apart = {};  ///< runs that it looks like and is not joined to
 
   /// Returns whether the edge joins the run to something. One between places that two cameras of this robot see does
   /// not, nor one that nobody can drive.

@@ -45,5 +45,30 @@ TEST(TaughtRun, CountsAPlaceOnceHoweverManyEdgesJoinIt) {
   EXPECT_EQ(summary(run), "1 place, 1 joined to what was taught before, or to its own beginning");
 }
 
+TEST(TaughtRun, PlacesWhoseStitchesWereHeldBackAreCountedWhenTheseAreHandedIn) {
+  TaughtRun run;
+  run.experience = ExperienceId{1};
+  for (std::uint32_t index = 0; index < 3; ++index) {
+    Kept kept;
+    kept.place.id = {run.experience, index};
+    for (std::uint32_t before = 0; index == 2 && before < 2; ++before) {
+      kept.edges.push_back(an_edge({ExperienceId{2}, before}, {run.experience, before}));
+      kept.edges.back().origin = Origin::stitch;
+    }
+    run.count(kept);
+  }
+  EXPECT_EQ(summary(run), "3 places, 2 joined to what was taught before, or to its own beginning");
+}
+
+TEST(TaughtRun, SaysWhatItWasToldApartFrom) {
+  TaughtRun run;
+  run.experience = ExperienceId{1};
+  run.told_apart = {ExperienceId{2}, ExperienceId{3}};
+  const std::string said = summary(run);
+  EXPECT_NE(said.find("looks like run " + to_string(ExperienceId{2}) + ", " + to_string(ExperienceId{3})),
+            std::string::npos)
+      << said;
+}
+
 }  // namespace
 }  // namespace weft::agents::test
