@@ -36,6 +36,15 @@ std::vector<const TopometricPlace*> places_to_cast(const TopometricChartConfig& 
   return chosen;
 }
 
+/// Leaves out points so far from their cameras that what a pair says of their distance makes walls thick. Those
+/// without a camera stay, for casting to refuse.
+void leave_out_far_points(double within_m, SeenCloud& seen) {
+  std::erase_if(seen.points, [&](const SeenCloud::Point& point) {
+    return point.frame < seen.cameras.size() &&
+           static_cast<double>((point.at - seen.cameras[point.frame]).norm()) > within_m;
+  });
+}
+
 /// Frees the unknown cells around a point.
 void free_around(OccupancyGrid& grid, const Eigen::Vector2d& point, double within_m) {
   const Raster& raster = grid.raster;
@@ -106,11 +115,14 @@ TopometricChart chart_places(const TopometricChartConfig& config, const RayCastC
     if (std::holds_alternative<AlongPath>(place.centre_from_place)) continue;
     places->push_back({place.id, planar(place.centre_from_place), place.content});
   }
-  RayCaster caster(square_raster({0.0, 0.0}, config.side_m, config.cell_m), rays);
+  RayCastConfig of_chart = rays;
+  of_chart.tau = config.tau;
+  RayCaster caster(square_raster({0.0, 0.0}, config.side_m, config.cell_m), of_chart);
   for (const TopometricPlace* const place : places_to_cast(config, *places)) {
     // A cloud whose frames have no camera is not cast; decoding refuses such a content.
     const Pose3 centre_from_place = lift(place->centre_from_place);
     SeenCloud seen = seen_cloud(place->content->cloud, centre_from_place);
+    leave_out_far_points(config.seen_within_m, seen);
     add_clear_rays(*place->content, centre_from_place, rays, config.cell_m, seen);
     static_cast<void>(caster.cast(seen));
   }

@@ -21,12 +21,16 @@ namespace weft::agents {
 /// and a hop from the centre, and looks 5 m ahead: the grid reaches so far, and clouds come from as far as the chart
 /// has places, as the way back is known by those that lie beyond it and look this way.
 struct TopometricChartConfig {
-  double side_m = 16.0;     ///< of the grid; [4, 40]
-  double cell_m = 0.05;     ///< [0.02, 0.25]
-  double within_m = 6.0;    ///< places count in a square that reaches so far from the centre; (0, 20]
-  double apart_m = 0.7;     ///< of places nearer to each other than this that look the same way one counts; [0, 5]
-  double apart_rad = 0.35;  ///< up to so much they look the same way; [0, pi]
-  int most_clouds = 24;     ///< nearest to the centre first; [1, 200]
+  double side_m = 16.0;        ///< of the grid; [4, 40]
+  double cell_m = 0.05;        ///< [0.02, 0.25]
+  double within_m = 6.0;       ///< places count in a square that reaches so far from the centre; (0, 20]
+  double apart_m = 0.7;        ///< of places nearer to each other than this that look the same way one counts; [0, 5]
+  double apart_rad = 0.35;     ///< up to so much they look the same way; [0, pi]
+  int most_clouds = 24;        ///< nearest to the centre first; [1, 200]
+  double seen_within_m = 3.5;  ///< points farther from their camera are not cast; (0, 100]
+  /// Is the share of a cell's rays that has to end there for it to be occupied. Walls along a way are met at low
+  /// angles, and most rays that end in such a wall's next cells have passed this one. (0, 1]
+  double tau = 0.12;
   /// Takes a beam that ends in an unknown cell this near to an occupied one for one that ends there: behind the face
   /// of a wall nothing is known. [0, 1]
   double behind_m = 0.1;

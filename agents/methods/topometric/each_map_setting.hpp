@@ -17,6 +17,8 @@ void each_map_setting(Config& config, const Section& section) {
   chart("apart_m", config.chart.apart_m, Low::closed, 0, 5);
   chart("apart_rad", config.chart.apart_rad, Low::closed, 0, std::numbers::pi);
   chart("most_clouds", config.chart.most_clouds, Low::closed, 1, 200);
+  chart("seen_within_m", config.chart.seen_within_m, Low::open, 0, 100);
+  chart("tau", config.chart.tau, Low::open, 0, 1);
   chart("behind_m", config.chart.behind_m, Low::closed, 0, 1);
   chart("driven_m", config.chart.driven_m, Low::closed, 0, 1);
   const auto belief = section("belief");

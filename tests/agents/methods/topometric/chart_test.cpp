@@ -40,6 +40,18 @@ TEST(TopometricChart, ShowsWallsAndFreeFloor) {
   EXPECT_EQ(chart.grid.at(in_chart(9.0, 0.0)), CellState::unknown);
 }
 
+TEST(TopometricChart, DoesNotCastWhatWasSeenFromTooFar) {
+  TopometricConfig config;
+  config.chart.seen_within_m = 2.0;
+  Random random(3);
+  TaughtSite taught;
+  taught.teach_straight(furnished_room(), {}, 5.0, random);
+  const TopometricChart chart = made_method(config).chart(taught.around(4));
+  for (double y = -1.0; y < 1.0; y += 0.05)
+    EXPECT_NE(chart.grid.at(in_chart(8.0, y)), CellState::occupied) << "it is 3 m from the last place";
+  EXPECT_EQ(chart.grid.at(in_chart(4.0, 0.0)), CellState::free);
+}
+
 TEST(TopometricChart, FreesWhatItsTeachersDroveOver) {
   const TopometricChart chart = room_chart();
   EXPECT_EQ(chart.grid.at(in_chart(0.0, 0.0)), CellState::free) << "no camera saw the floor under the first place";

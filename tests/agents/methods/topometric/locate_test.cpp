@@ -112,7 +112,7 @@ TEST(TopometricLocate, AGuessTakesFeaturesToBecomeAFix) {
     auto belief = method.begin(chart, {TaughtSite::id(4), guess, 0.0});
     bool has_fix = false;
     for (int i = 0; i < 3; ++i) {
-      auto located = method.locate(chart, std::move(belief), {Metric2{{0.0, 0.0, 0.02}, {}}, true, {}}, seen);
+      auto located = method.locate(chart, std::move(belief), {Metric2{{0.0, 0.0, 0.02}}, true, {}}, seen);
       has_fix = has_fix || located.fix.has_value();
       belief = std::move(located.belief);
     }
