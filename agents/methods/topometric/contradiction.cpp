@@ -1,5 +1,5 @@
-// What tells apart two places that look alike: where one has a plain wall, which shows no points and no free floor
-// either, the other may look on to what stands behind.
+// Tells apart two places that look alike: where one has a plain wall, which shows no points and no free floor either,
+// the other may look on to what stands behind.
 #include "agents/methods/topometric/contradiction.hpp"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "agents/methods/topometric/level_relation.hpp"
+#include "agents/methods/topometric/sight.hpp"
 #include "agents/methods/topometric/topometric.hpp"
 
 namespace weft::agents {
@@ -18,7 +19,8 @@ namespace {
 
 constexpr double kPart = 0.08;            // tangent of a part's width and height
 constexpr double kNearestM = 0.8;         // of what is looked for,
-constexpr double kFarthestM = 3.9;        // within what a pair of 320 pixels knows the depth of
+constexpr double kFarthestM = 3.9;        // at most,
+constexpr double kOfRange = 0.95;         // and of what a pair knows the depth of
 constexpr double kAsFarM = 0.3;           // apart, along the ray, two views may have one thing
 constexpr double kAboveFloorM = 0.15;     // a floor's texture fades with distance
 constexpr std::size_t kFewestPoints = 3;  // of a part, for something to be expected there
@@ -30,8 +32,8 @@ class DepthView {
   DepthView(const StereoRig& rig, const Pose3& place_from_camera)
       : rig_(rig),
         camera_from_place_(place_from_camera.inverse()),
-        columns_(std::max(0, static_cast<int>(rig.width / rig.focal_px / kPart))),
-        rows_(std::max(0, static_cast<int>(rig.height / rig.focal_px / kPart))),
+        columns_(parts_of(rig.width, rig.focal_px)),
+        rows_(parts_of(rig.height, rig.focal_px)),
         depths_m_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
   void add(const Eigen::Vector3d& in_place) {
@@ -44,6 +46,11 @@ class DepthView {
     const int column = part_of(at.x(), rig_.cx);
     const int row = part_of(at.y(), rig_.cy);
     if (column >= 0 && column < columns_ && row >= 0 && row < rows_) depths_m_[index(column, row)].push_back(at.z());
+  }
+  /// Returns whether a pair can match what is as far away in a column: at the left image's left edge it lies outside
+  /// of the right one.
+  bool is_matched(int column, double depth_m) const {
+    return column * kPart * rig_.focal_px >= rig_.disparity_px(depth_m);
   }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -58,6 +65,12 @@ class DepthView {
   }
 
  private:
+  /// Returns how many parts an image has across or down; 0 for one wider than any lens sees, as a content may state.
+  static int parts_of(int pixels, double focal_px) {
+    constexpr double most = 100.0;
+    const double parts = pixels / focal_px / kPart;
+    return parts > 0.0 && parts < most ? static_cast<int>(parts) : 0;
+  }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
@@ -69,12 +82,12 @@ class DepthView {
   std::vector<std::vector<double>> depths_m_;
 };
 
-/// Returns how far away a part shows something that can be looked for; none: it does not.
-std::optional<double> expected_depth_m(std::vector<double> depths_m) {
+/// Returns how far away a part shows something that can be looked for up to `within_m`; none: it does not.
+std::optional<double> expected_depth_m(std::vector<double> depths_m, double within_m) {
   if (depths_m.size() < kFewestPoints) return std::nullopt;
   std::nth_element(depths_m.begin(), depths_m.begin() + kOnePast, depths_m.end());
   const double depth_m = depths_m[kOnePast];
-  if (depth_m < kNearestM || depth_m > kFarthestM) return std::nullopt;
+  if (depth_m < kNearestM || depth_m > within_m) return std::nullopt;
   return depth_m;
 }
 
@@ -91,9 +104,21 @@ void compare(const std::vector<double>& shown_m, double expected_m, ExpectedInVi
   }
 }
 
+/// Returns how far away a place shows all that can be matched: what is farthest is left out where there is too much.
+double shown_within_m(const TopometricConfig& config, const TopometricContent& content) {
+  const double range_m = std::min(kFarthestM, kOfRange * sight_range_m(config.sight, content.rig));
+  if (content.cloud.points.size() < static_cast<std::size_t>(config.place.most_points)) return range_m;
+  const Eigen::Vector3f camera = content.rig.robot_from_camera.translation.cast<float>();
+  float farthest_m = 0.0F;
+  for (const Eigen::Vector3f& point : content.cloud.points)
+    farthest_m = std::max(farthest_m, (point - camera).norm());
+  return std::min(range_m, kOfRange * static_cast<double>(farthest_m));
+}
+
 }  // namespace
 
-ExpectedInView expected_in_view(const TopometricContent& a, const PlaceCloud& b, const Pose3& a_from_b) {
+ExpectedInView expected_in_view(const TopometricContent& a, const PlaceCloud& b, const Pose3& a_from_b,
+                                double within_m) {
   ExpectedInView expected;
   if (a.cloud.place_from_frames.empty()) return expected;
   const Pose3 a_from_camera = a.cloud.place_from_frames.back() * a.rig.robot_from_camera;
@@ -105,7 +130,8 @@ ExpectedInView expected_in_view(const TopometricContent& a, const PlaceCloud& b,
       looked_for.add(in_a);
   for (int row = 0; row < shown.rows(); ++row)
     for (int column = 0; column < shown.columns(); ++column)
-      if (const auto depth_m = expected_depth_m(looked_for.depths_m(column, row)))
+      if (const auto depth_m = expected_depth_m(looked_for.depths_m(column, row), within_m);
+          depth_m && shown.is_matched(column, *depth_m))
         compare(shown.depths_around_m(column, row), *depth_m, expected);
   return expected;
 }
@@ -120,7 +146,8 @@ double Topometric::contradiction(const Content& a, const Content& b, const Relat
     return told < fewest ? 0.0 : told;
   };
   const Pose3 pose = level_prior(config_.relate, a, b, a_from_b).a_from_b;
-  return parts(expected_in_view(a, b.cloud, pose)) + parts(expected_in_view(b, a.cloud, pose.inverse()));
+  return parts(expected_in_view(a, b.cloud, pose, shown_within_m(config_, a))) +
+         parts(expected_in_view(b, a.cloud, pose.inverse(), shown_within_m(config_, b)));
 }
 
 }  // namespace weft::agents

@@ -61,14 +61,23 @@ TEST(TopometricContradiction, ACrateThatHasComeIsSeenThrough) {
   site.obstacles.push_back(crate);
   const Shown now = shown_from(site, start);
   const Pose3 before_from_now = lift(before.site_from_place.inverse() * now.site_from_place);
-  const ExpectedInView expected = expected_in_view(before.content, now.content.cloud, before_from_now);
+  const ExpectedInView expected = expected_in_view(before.content, now.content.cloud, before_from_now, 3.9);
   EXPECT_GT(expected.seen, 10U);
   EXPECT_GT(expected.through, 3U);
   EXPECT_EQ(contradiction(before, now, 0.0), 0.0);
 }
 
 TEST(TopometricContradiction, OfAPlaceWithoutFramesNothingIsExpected) {
-  const ExpectedInView expected = expected_in_view({}, {}, {});
+  const ExpectedInView expected = expected_in_view({}, {}, {}, 3.9);
+  EXPECT_EQ(expected.seen + expected.through + expected.blank, 0U);
+}
+
+TEST(TopometricContradiction, AContentThatStatesAnImpossibleViewCostsNothing) {
+  Shown shown = shown_from(test::topometric_site("hall"), {2.0, 1.8, 0.0});
+  const PlaceCloud cloud = shown.content.cloud;
+  shown.content.rig.width = shown.content.rig.height = 16384;
+  shown.content.rig.focal_px = 1.0;
+  const ExpectedInView expected = expected_in_view(shown.content, cloud, {}, 3.9);
   EXPECT_EQ(expected.seen + expected.through + expected.blank, 0U);
 }
 
