@@ -65,6 +65,7 @@ void each_stitch(Config& stitch, const In& in) {
   in("proven_m", stitch.proven_m, Low::open, 0, 1000);
   in("parted_m", stitch.parted_m, Low::open, 0, 100);
   in("most_contradiction", stitch.most_contradiction, Low::closed, 0, 1000);
+  in("most_contradiction_of_a_place", stitch.most_contradiction_of_a_place, Low::open, 0, 1000);
   in("sure_m", stitch.sure_m, Low::open, 0, 1);
   in("drivable_m", stitch.drivable_m, Low::open, 0, 3);
   in("drivable_rad", stitch.drivable_rad, Low::open, 0, 3.2);

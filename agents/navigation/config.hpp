@@ -55,15 +55,16 @@ struct StitchConfig {
   double agree_rad = 0.06;         ///< (0, 0.5]
   double trusted_sigma_m = 0.08;   ///< a prediction less certain needs a second stitch that agrees; (0, 1]
   double most_doubt = 0.05;  ///< without a guess: what may speak against a relation, e.g. what has changed; [0, 1]
-  double proven_m = 60.0;    ///< of way beside other runs that nothing contradicts prove it; what is stitched on a
-                             ///< shorter one is held back until the way has parted, or the run ends; (0, 1000]
-  double parted_m = 10.0;    ///< of way without a stitch: it has parted; (0, 100]
-  double most_contradiction = 12.0;  ///< parts of views, summed up, before nothing of it is handed in; [0, 1000]
-  double sure_m = 0.2;               ///< sigma along a path that a stitch may have which knows no pose; (0, 1]
-  double drivable_m = 0.6;           ///< places farther apart cannot be driven across; (0, 3]
-  double drivable_rad = 0.5;         ///< headings that differ by more than this cannot be driven across; (0, 3.2]
-  double across_every_m = 0.6;       ///< way from one stitch to a lane met head-on or across to the next; (0, 10]
-  double merge_m = 2.0;              ///< a change over to the other place's way takes no longer than this; (0, 10]
+  double proven_m = 60.0;    ///< driven beside other runs, uncontradicted: their stitches are handed in at once; on a
+                             ///< shorter way they wait until it has parted, or the run ends; (0, 1000]
+  double parted_m = 10.0;    ///< driven with no place of other runs within reach: the way has parted; (0, 100]
+  double most_contradiction = 12.0;  ///< parts of views, summed up, that may speak against another run; [0, 1000]
+  double most_contradiction_of_a_place = 8.0;  ///< so much one place adds at most: several have to agree; (0, 1000]
+  double sure_m = 0.2;          ///< sigma along a path that a stitch may have which knows no pose; (0, 1]
+  double drivable_m = 0.6;      ///< places farther apart cannot be driven across; (0, 3]
+  double drivable_rad = 0.5;    ///< headings that differ by more than this cannot be driven across; (0, 3.2]
+  double across_every_m = 0.6;  ///< way from one stitch to a lane met head-on or across to the next; (0, 10]
+  double merge_m = 2.0;         ///< a change over to the other place's way takes no longer than this; (0, 10]
 };
 
 struct FollowConfig {

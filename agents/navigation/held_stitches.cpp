@@ -1,45 +1,57 @@
 #include "agents/navigation/held_stitches.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace weft::agents {
 
-void HeldStitches::take(const std::vector<Edge>& stitches, double driven_m) {
-  if (stitches.empty()) return;
-  if (!held_.empty()) beside_m_ += driven_m - stitched_m_;
-  stitched_m_ = driven_m;
-  held_.insert(held_.end(), stitches.begin(), stitches.end());
-}
-
-void HeldStitches::contradict(const ExperienceId& other, double by) {
-  if (is_proven_ || by <= 0.0) return;
-  contradiction_ += by;
-  doubted_.insert(other);
+void HeldStitches::take(const AtPlace& found, double driven_m) {
+  if (driven_m - near_m_ > config_.parted_m && held_.empty()) part();
+  if (found.is_beside) near_m_ = driven_m;
+  if (!is_proven_) {
+    for (const auto& [other, by] : found.contradictions)
+      if (by > 0.0) contradictions_[other] += std::min(by, config_.most_contradiction_of_a_place);
+  }
+  if (found.stitches.empty()) return;
+  // Of a way on which nothing was recognised little is proven.
+  if (!held_.empty()) beside_m_ += std::min(driven_m - stitched_m_, config_.parted_m);
+  stitched_m_ = near_m_ = driven_m;
+  held_.insert(held_.end(), found.stitches.begin(), found.stitches.end());
 }
 
 std::optional<Refusal> HeldStitches::disproved() {
-  if (contradiction_ <= config_.most_contradiction) return std::nullopt;
-  elsewhere_.merge(doubted_);
-  for (const Edge& stitch : held_) elsewhere_.insert(stitch.id.a.experience);
-  const Refusal refusal{"looks_like_another", contradiction_, config_.most_contradiction};
-  rest();
+  const auto worst = std::ranges::max_element(contradictions_, {}, [](const auto& one) { return one.second; });
+  if (worst == contradictions_.end() || worst->second <= config_.most_contradiction) return std::nullopt;
+  const Refusal refusal{"told_apart", worst->second, config_.most_contradiction};
+  // What it was joined to before it came here it is joined to; that it seems to be there again is wrong all the same.
+  if (!joined_.contains(worst->first)) elsewhere_.insert(worst->first);
+  for (const Edge& stitch : held_)
+    if (!joined_.contains(stitch.id.a.experience)) elsewhere_.insert(stitch.id.a.experience);
+  held_.clear();
+  part();
   return refusal;
 }
 
 std::vector<Edge> HeldStitches::proven(double driven_m) {
   if (held_.empty()) return {};
   is_proven_ = is_proven_ || beside_m_ > config_.proven_m;
-  if (is_proven_) return std::exchange(held_, {});
-  // Where the run comes upon others again, that is proven anew.
-  const bool has_parted = driven_m - stitched_m_ > config_.parted_m;
-  return has_parted ? rest() : std::vector<Edge>{};
+  const bool has_parted = driven_m - near_m_ > config_.parted_m;
+  if (!is_proven_ && !has_parted) return {};
+  std::vector<Edge> all = rest();
+  if (has_parted) part();
+  return all;
 }
 
 std::vector<Edge> HeldStitches::rest() {
-  contradiction_ = 0.0;
-  beside_m_ = 0.0;
-  doubted_.clear();
+  for (const Edge& stitch : held_) joined_.insert(stitch.id.a.experience);
   return std::exchange(held_, {});
+}
+
+/// Begins anew: where the run comes upon others again, that is to be proven again.
+void HeldStitches::part() {
+  contradictions_.clear();
+  beside_m_ = 0.0;
+  is_proven_ = false;
 }
 
 std::optional<PlaceId> HeldStitches::beside() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -14,14 +15,19 @@ namespace weft::agents {
 /// that. A value.
 class HeldStitches {
  public:
+  /// Shows what was found at a place just kept.
+  struct AtPlace {
+    bool is_beside = false;                         ///< places of other runs are believed to be within reach
+    std::vector<Edge> stitches;                     ///< to other runs
+    std::map<ExperienceId, double> contradictions;  ///< what speaks against each of them lying there (Contradicts)
+  };
+
   explicit HeldStitches(const StitchConfig& config) : config_(config) {}
 
-  /// Takes the stitches of a place that was kept `driven_m` into the run.
-  void take(const std::vector<Edge>& stitches, double driven_m);
-  /// Takes what speaks against this run lying where it seems to lie beside the other one (Contradicts).
-  void contradict(const ExperienceId& other, double by);
-  /// Gives up what is held if too much speaks against it, and returns how much: "looks_like_another". The run is not
-  /// stitched to those others any more.
+  /// Takes what was found `driven_m` into the run.
+  void take(const AtPlace& found, double driven_m);
+  /// Gives up all that is held if too much speaks against one of the other runs, and returns how much: "told_apart".
+  /// The run is not stitched to those others any more.
   std::optional<Refusal> disproved();
   /// Returns those that are proven by now, each once.
   std::vector<Edge> proven(double driven_m);
@@ -30,19 +36,21 @@ class HeldStitches {
 
   /// Returns the latest of the other runs' places that this one is held to lie beside; none: nothing is held.
   std::optional<PlaceId> beside() const;
-  /// Returns whether this run has been told apart from the other one.
-  bool is_elsewhere(const ExperienceId& other) const { return elsewhere_.contains(other); }
+  /// Returns the runs that this one has been told apart from.
   const std::set<ExperienceId>& elsewhere() const { return elsewhere_; }
 
  private:
+  void part();
+
   StitchConfig config_;
   std::vector<Edge> held_;
-  std::set<ExperienceId> doubted_;    ///< runs that something speaks against since `contradiction_` was 0
-  std::set<ExperienceId> elsewhere_;  ///< runs that this one is not stitched to any more
-  double contradiction_ = 0.0;
+  std::map<ExperienceId, double> contradictions_;  ///< since it came upon other runs
+  std::set<ExperienceId> joined_;                  ///< runs to which stitches were handed in
+  std::set<ExperienceId> elsewhere_;
   double beside_m_ = 0.0;    ///< driven from stitch to stitch since it came upon other runs
-  double stitched_m_ = 0.0;  ///< how far into the run the latest stitch was found
-  bool is_proven_ = false;
+  double stitched_m_ = 0.0;  ///< how far into the run the latest stitch was found,
+  double near_m_ = 0.0;      ///< and that others were last within reach
+  bool is_proven_ = false;   ///< that it lies beside others, until it parts from them
 };
 
 }  // namespace weft::agents

@@ -78,15 +78,19 @@ class MultiMethodNavigator final : public Navigator {
     for (MethodNavigator& one : navigators_) take_kept(one, one.navigator->end_teach(map), all);
     // A navigator that has ended already is still to be joined to those that have not.
     const auto goes_on = [](const MethodNavigator& one) { return one.navigator->is_taught(); };
-    if (std::none_of(navigators_.begin(), navigators_.end(), goes_on)) leave_teach();
+    if (std::none_of(navigators_.begin(), navigators_.end(), goes_on))
+      for (MethodNavigator& one : navigators_) one.teaches = {};
     return all;
   }
   bool is_taught() const override { return bool(navigators_.front().teaches); }
-  void leave_teach() override {
+  std::vector<Edge> leave_teach() override {
+    std::vector<Edge> held;
     for (MethodNavigator& one : navigators_) {
-      one.navigator->leave_teach();
+      const std::vector<Edge> more = one.navigator->leave_teach();
+      held.insert(held.end(), more.begin(), more.end());
       one.teaches = {};
     }
+    return held;
   }
 
   std::unique_ptr<RunRefiner> refiner(std::string_view method) const override {

@@ -101,8 +101,9 @@ class Navigator {
   /// view at that sample goes on being taught (`is_taught`): call again after the next one.
   virtual std::vector<Kept> end_teach(const MapView& map) = 0;
   virtual bool is_taught() const = 0;
-  /// Ends teaching where the last place was kept; nothing more is kept.
-  virtual void leave_teach() = 0;
+  /// Ends teaching where the last place was kept; nothing more is kept. Returns the stitches that have been held back
+  /// and that `end_teach` did not give out: they are to be handed in, too.
+  virtual std::vector<Edge> leave_teach() = 0;
   /// Returns what refines a run taught with that method (one of `teaches`) before it is handed in; null: it is handed
   /// in as it is taught. This navigator outlives it.
   virtual std::unique_ptr<RunRefiner> refiner(std::string_view method) const;

@@ -116,16 +116,19 @@ class NavigatorOf final : public Navigator {
       keep(map, last);
       if (last.kept.empty()) return {};  // this view shows too little; another one is waited for
       come_back(map, last.kept.back());
-      const std::vector<Edge> held = stitcher_.rest();
+      const std::vector<Edge> held = leave_teach();
       last.kept.back().edges.insert(last.kept.back().edges.end(), held.begin(), held.end());
+      return std::move(last.kept);
     }
-    leave_teach();
-    return std::move(last.kept);
-  }
-  bool is_taught() const override { return teacher_.has_value(); }
-  void leave_teach() override {
     teacher_.reset();
     finder_.reset();
+    return {};  // what is held is given out by leave_teach
+  }
+  bool is_taught() const override { return teacher_.has_value(); }
+  std::vector<Edge> leave_teach() override {
+    teacher_.reset();
+    finder_.reset();
+    return stitcher_.rest();
   }
   std::unique_ptr<RunRefiner> refiner(std::string_view method) const override {
     if constexpr (Refines<M>)
@@ -283,7 +286,7 @@ class NavigatorOf final : public Navigator {
   /// Returns whether the run is to end with a place. One that knows no poses is in any case: only at its end it shows
   /// what it has come back to.
   bool is_to_end_with_a_place() const {
-    return teacher_->worth_an_end() || stitcher_.beside() || (ChartsItself<M> && teacher_->driven_m() > 0.0);
+    return teacher_->worth_an_end() || (ChartsItself<M> && teacher_->driven_m() > 0.0);
   }
 
   /// Returns whether the newest view may become a place. One that vision could not join to the view before may show
@@ -316,7 +319,7 @@ class NavigatorOf final : public Navigator {
     if (anchor_) own_.anchor(anchor_edge(*anchor_, kept.place.id));
     anchor_.reset();
     auto found = stitcher_.prove(own_.map(map.window), map.contents, decoded_, *teacher_, kept.place, *content);
-    if (found.is_told_apart) own_.part_from_others(map.window);
+    if (found.is_told_apart) look_elsewhere(map);
     for (const Edge& edge : found.believed) own_.anchor(edge);
     if constexpr (Clears<M>) {
       if (config_.stitch.enabled) cut_short(map, kept);
@@ -327,10 +330,18 @@ class NavigatorOf final : public Navigator {
     navigated.kept.push_back(std::move(kept));
   }
 
+  /// Looks for where a run is that has been told apart from where it seemed to be.
+  void look_elsewhere(const MapView& map) {
+    own_.part_from_others(map.window);
+    finder_.emplace(method_, config_);
+    finder_->seek(std::nullopt);
+    finder_->leave_out(teacher_->start().experience);
+    for (const ExperienceId& other : stitcher_.told_apart()) finder_->leave_out(other);
+  }
+
   /// Adds the shortcuts that can be seen from a place just kept.
   void cut_short(const MapView& map, Kept& kept) requires Clears<M> {
-    const auto found = shortcuts(method_, config_, own_.map(map.window), map.contents, decoded_, kept.place.id,
-                                 stitcher_.beside().has_value());
+    const auto found = shortcuts(method_, config_, own_.map(map.window), map.contents, decoded_, kept.place.id);
     for (const Edge& edge : found) own_.anchor(edge);
     kept.edges.insert(kept.edges.end(), found.begin(), found.end());
   }

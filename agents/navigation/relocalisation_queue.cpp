@@ -31,12 +31,12 @@ std::vector<PlaceId> around_last(const NavigationConfig& config, const Window& w
 }
 
 std::vector<PlaceId> everywhere(const Window& window, std::vector<PlaceId> first,
-                                const std::optional<ExperienceId>& left_out) {
+                                const std::set<ExperienceId>& left_out) {
   std::vector<PlaceId> order = std::move(first);
   const std::set<PlaceId> placed(order.begin(), order.end());
   for (const auto& [id, place] : window.places) {
     if (order.size() >= cap) break;
-    if (id.experience != left_out && !placed.contains(id)) order.push_back(id);
+    if (!left_out.contains(id.experience) && !placed.contains(id)) order.push_back(id);
   }
   return order;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "agents/methods/method.hpp"
@@ -16,10 +17,10 @@ class RelocalisationQueue {
   /// believed, then at what is proposed, then in the whole window.
   void start(const std::optional<PlaceId>& seed);
   void end() { active_ = false; }
-  /// Leaves the places of a run out until the next start.
-  void leave_out(const ExperienceId& run) { left_out_ = run; }
-  const std::optional<ExperienceId>& left_out() const { return left_out_; }
-  bool leaves_out(const PlaceId& place) const { return left_out_ == place.experience; }
+  /// Leaves the places of a run out, too, until the next start.
+  void leave_out(const ExperienceId& run) { left_out_.insert(run); }
+  const std::set<ExperienceId>& left_out() const { return left_out_; }
+  bool leaves_out(const PlaceId& place) const { return left_out_.contains(place.experience); }
   bool active() const { return active_; }
   bool seeded() const { return seed_.has_value(); }
 
@@ -40,7 +41,7 @@ class RelocalisationQueue {
  private:
   bool active_ = false;
   std::optional<PlaceId> seed_;
-  std::optional<ExperienceId> left_out_;
+  std::set<ExperienceId> left_out_;
   std::vector<PlaceId> order_;  // the next one last
   std::size_t near_left_ = 0;   // of order_, at its end
   std::vector<PlaceId> proposed_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "agents/navigation/candidates.hpp"
@@ -23,9 +24,9 @@ class Rivals {
   bool is_open() const { return seen_.has_value(); }
   void close() { *this = Rivals(*method_); }
 
-  /// Begins with a view that seems to be of `at`. `left_out`: a run that nobody looks for.
+  /// Begins with a view that seems to be of `at`. `left_out`: runs that nobody looks for.
   void begin(const NavigationConfig& config, const Window& map, const PlaceId& at, const Content& seen,
-             const std::optional<ExperienceId>& left_out) {
+             const std::set<ExperienceId>& left_out) {
     constexpr double near_m = 1.0;
     close();
     seen_ = seen;
@@ -35,7 +36,7 @@ class Rivals {
       if (const double apart_m = distance_m(one.place_from_robot); apart_m <= config.locate.rival_m)
         along.emplace(one.place, apart_m);
     for (const auto& [id, place] : map.places)
-      if (id.experience != left_out && !along.contains(id)) left_.push_back(id);
+      if (!left_out.contains(id.experience) && !along.contains(id)) left_.push_back(id);
     elsewhere_ = left_.size();
     for (const auto& [id, apart_m] : along)
       if (apart_m > near_m) left_.push_back(id);

@@ -30,6 +30,7 @@ class Stitcher {
     std::vector<Edge> edges;
     std::optional<Fix> fix;  ///< of the robot standing at the kept place: the first stitch
     std::vector<Refusal> refusals;
+    HeldStitches::AtPlace of_others;  ///< without its stitches
   };
   /// Holds what becomes of the stitches of a place that was kept while teaching.
   struct Proven {
@@ -68,6 +69,7 @@ class Stitcher {
       }
       --tries;
       const OrRefusal<Related> related = verified(map, **other, content, candidate, kept.id, pending_);
+      weigh_against(**other, content, candidate, kept.id, related, found.of_others);
       if (!related) {
         found.refusals.push_back(related.error());
         continue;
@@ -88,20 +90,19 @@ class Stitcher {
     Found found = look(map, bytes, decoded, teacher, kept, content);
     Proven proven{found.edges, std::move(found.edges), false, std::move(found.fix), std::move(found.refusals)};
     if constexpr (Contradicts<M>) {
+      const auto others =
+          std::ranges::partition(proven.to_hand_in, [](const Edge& edge) { return !is_to_another(edge); });
+      found.of_others.stitches.assign(others.begin(), others.end());
+      proven.to_hand_in.erase(others.begin(), others.end());
+      held_.take(found.of_others, teacher.driven_m());
       if (const std::optional<Refusal> other = held_.disproved()) {
         proven.refusals.push_back(*other);
         std::erase_if(proven.believed, is_to_another);
-        proven.to_hand_in = proven.believed;
         proven.is_told_apart = true;
         proven.fix.reset();
         pending_.reset();
         pending_across_.reset();
-        return proven;
       }
-      const auto others =
-          std::ranges::partition(proven.to_hand_in, [](const Edge& edge) { return !is_to_another(edge); });
-      held_.take({others.begin(), others.end()}, teacher.driven_m());
-      proven.to_hand_in.erase(others.begin(), others.end());
       const std::vector<Edge> by_now = held_.proven(teacher.driven_m());
       proven.to_hand_in.insert(proven.to_hand_in.end(), by_now.begin(), by_now.end());
     }
@@ -146,7 +147,8 @@ class Stitcher {
     if constexpr (Gazes<M>) reach_m += 2.0 * method_->gaze(content).norm();  // two robots that face one another
     std::vector<Candidate> around = at_any_heading(config_, map, here, everywhere, reach_m);
     std::erase_if(around, [&](const Candidate& candidate) {
-      if (candidate.place.experience != kept.experience) return held_.is_elsewhere(candidate.place.experience);
+      if (candidate.place.experience != kept.experience)
+        return held_.elsewhere().contains(candidate.place.experience);
       return candidate.place.index + 1 >= kept.index ||
              teacher.driven_since_m(candidate.place.index) < config_.stitch.own_distance_m;
     });
@@ -225,10 +227,9 @@ class Stitcher {
   OrRefusal<Related> verified(const Window& map, const Content& other, const Content& content,
                               const Candidate& candidate, const PlaceId& kept, std::optional<Pending>& pending) {
     const Difference spread = spread_of(candidate.place_from_robot);
-    const bool trusted = spread.metres <= config_.stitch.trusted_sigma_m;
+    const bool trusted = is_trusted(candidate);
     const std::optional<Relation> guess = trusted ? std::optional(candidate.place_from_robot) : std::nullopt;
     OrRefusal<Related> related = method_->relate(other, content, guess);
-    hold_against(other, content, candidate.place, kept, related, guess);
     if (!related) return related;
     // A robot may be found where something has come or gone; maps are joined only by what is as it was.
     if (!trusted && related->doubt > config_.stitch.most_doubt)
@@ -249,13 +250,21 @@ class Stitcher {
     return tl::unexpected(Refusal{"stitch_unconfirmed", spread.metres, config_.stitch.trusted_sigma_m});
   }
 
-  /// Notes what speaks against two places of two runs lying to each other as is found, or else as is believed.
-  void hold_against(const Content& other, const Content& content, const PlaceId& there, const PlaceId& kept,
-                    const OrRefusal<Related>& related, const std::optional<Relation>& guess) {
+  bool is_trusted(const Candidate& candidate) const {
+    return spread_of(candidate.place_from_robot).metres <= config_.stitch.trusted_sigma_m;
+  }
+
+  /// Notes what speaks against two places of two runs lying to each other as was found, or else as is believed for
+  /// sure. Of several places of a run the one counts that most speaks against.
+  void weigh_against(const Content& other, const Content& content, const Candidate& candidate, const PlaceId& kept,
+                     const OrRefusal<Related>& related, HeldStitches::AtPlace& found) const {
     if constexpr (Contradicts<M>) {
-      if (there.experience == kept.experience || (!related && !guess)) return;
-      held_.contradict(there.experience,
-                       method_->contradiction(other, content, related ? related->a_from_b : *guess));
+      const ExperienceId run = candidate.place.experience;
+      if (run == kept.experience || (!related && !is_trusted(candidate))) return;
+      found.is_beside = true;
+      double& most = found.contradictions[run];
+      most = std::max(
+          most, method_->contradiction(other, content, related ? related->a_from_b : candidate.place_from_robot));
     }
   }
 

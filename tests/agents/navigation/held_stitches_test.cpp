@@ -22,10 +22,15 @@ Edge stitch(std::uint32_t index) {
   return edge;
 }
 
+/// Returns what a place shows that is stitched to another run, or that something speaks against.
+HeldStitches::AtPlace found(std::vector<Edge> stitches, double contradiction = 0.0) {
+  return {true, std::move(stitches), {{kOther, contradiction}}};
+}
+
 TEST(HeldStitches, AShortWayBesideOthersIsHeldUntilTheRunEnds) {
   HeldStitches held{StitchConfig{}};
   for (std::uint32_t i = 0; i < 10; ++i) {
-    held.take({stitch(i)}, 0.5 * i);
+    held.take(found({stitch(i)}), 0.5 * i);
     EXPECT_TRUE(held.proven(0.5 * i).empty());
   }
   EXPECT_EQ(held.beside(), (PlaceId{kOther, 9}));
@@ -38,44 +43,83 @@ TEST(HeldStitches, ALongOneIsProvenOnTheWay) {
   HeldStitches held{StitchConfig{}};
   std::size_t handed_in = 0;
   for (std::uint32_t i = 0; i <= 130; ++i) {
-    held.take({stitch(i)}, 0.5 * i);
+    held.take(found({stitch(i)}), 0.5 * i);
     handed_in += held.proven(0.5 * i).size();
     EXPECT_EQ(handed_in, 0.5 * i > 60.0 ? i + 1U : 0U);
   }
+  held.take(found({}, 100.0), 66.0);
+  EXPECT_FALSE(held.disproved()) << "it is proven";
+}
+
+TEST(HeldStitches, AWayOnWhichNothingWasRecognisedProvesLittle) {
+  HeldStitches held{StitchConfig{}};
+  held.take(found({stitch(0)}), 0.0);
+  for (double at_m = 1.0; at_m < 61.0; at_m += 1.0) held.take(found({}), at_m);
+  held.take(found({stitch(1)}), 61.0);
+  EXPECT_TRUE(held.proven(61.0).empty());
 }
 
 TEST(HeldStitches, WhereTheWayPartsTheyAreHandedInAndItIsProvenAnew) {
   HeldStitches held{StitchConfig{}};
-  held.take({stitch(0)}, 1.0);
-  held.take({stitch(1)}, 2.0);
-  EXPECT_TRUE(held.proven(11.9).empty());
-  EXPECT_EQ(held.proven(12.1).size(), 2U);
-  held.take({stitch(2)}, 100.0);
-  EXPECT_TRUE(held.proven(100.0).empty()) << "what lies between was not beside others";
+  for (std::uint32_t i = 0; i <= 130; ++i) {
+    held.take(found({stitch(i)}), 0.5 * i);
+    held.proven(0.5 * i);
+  }
+  held.take(found({stitch(131)}), 65.5);
+  held.take({}, 75.4);
+  EXPECT_EQ(held.proven(75.4).size(), 1U);
+  held.take({}, 77.0);
+  held.take(found({stitch(132)}), 100.0);
+  EXPECT_TRUE(held.proven(100.0).empty());
+  held.take({}, 109.0);
+  EXPECT_TRUE(held.proven(109.0).empty());
+  held.take({}, 110.1);
+  EXPECT_EQ(held.proven(110.1).size(), 1U);
+}
+
+TEST(HeldStitches, WhatLiesWithinReachIsNotPartedFrom) {
+  HeldStitches held{StitchConfig{}};
+  held.take(found({stitch(0)}), 0.0);
+  for (double at_m = 1.0; at_m < 30.0; at_m += 1.0) {
+    held.take(found({}), at_m);
+    EXPECT_TRUE(held.proven(at_m).empty()) << at_m;
+  }
 }
 
 TEST(HeldStitches, WhatIsContradictedIsGivenUpForGood) {
   HeldStitches held{StitchConfig{}};
-  held.take({stitch(0)}, 0.0);
-  held.contradict(kOther, 12.0);
+  held.take(found({stitch(0)}, 100.0), 0.0);
+  EXPECT_FALSE(held.disproved()) << "one place is not enough";
+  held.take(found({stitch(1)}, 4.0), 0.5);
   EXPECT_FALSE(held.disproved()) << "no more than the bound";
-  held.contradict(kOther, 1.0);
+  held.take(found({}, 1.0), 1.0);
   const std::optional<Refusal> refusal = held.disproved();
   ASSERT_TRUE(refusal);
-  EXPECT_EQ(refusal->reason, "looks_like_another");
+  EXPECT_EQ(refusal->reason, "told_apart");
   EXPECT_DOUBLE_EQ(refusal->measured, 13.0);
-  EXPECT_TRUE(held.is_elsewhere(kOther));
+  EXPECT_EQ(held.elsewhere(), std::set<ExperienceId>{kOther});
   EXPECT_TRUE(held.rest().empty());
   EXPECT_FALSE(held.disproved());
 }
 
-TEST(HeldStitches, WhatIsProvenIsNotDoubtedAnyMore) {
+TEST(HeldStitches, CrossingsFarApartAreNotAddedUp) {
   HeldStitches held{StitchConfig{}};
-  held.take({stitch(0)}, 0.0);
-  held.take({stitch(1)}, 61.0);
-  EXPECT_EQ(held.proven(61.0).size(), 2U);
-  held.contradict(kOther, 100.0);
-  EXPECT_FALSE(held.disproved());
+  for (double at_m = 0.0; at_m < 300.0; at_m += 50.0) {
+    held.take(found({}, 7.0), at_m);
+    EXPECT_FALSE(held.disproved()) << at_m;
+  }
+}
+
+TEST(HeldStitches, ARunThatIsJoinedAlreadyIsNotLeftOutWhereItSeemsToBeOnceMore) {
+  HeldStitches held{StitchConfig{}};
+  held.take(found({stitch(0)}), 0.0);
+  held.take({}, 10.1);
+  EXPECT_EQ(held.proven(10.1).size(), 1U);
+  held.take(found({stitch(1)}, 7.0), 50.0);
+  held.take(found({stitch(2)}, 7.0), 50.5);
+  EXPECT_TRUE(held.disproved());
+  EXPECT_TRUE(held.elsewhere().empty());
+  EXPECT_TRUE(held.rest().empty());
 }
 
 /// Sees marks, and is told what speaks against two places being one.
@@ -156,7 +200,7 @@ TEST_F(TwoRunsOnOneWay, AreNotStitchedAtAllWhereEnoughSpeaksAgainstInTheEnd) {
   contradicts = 10.0;
   teach_both();
   EXPECT_EQ(stitches(), 0U);
-  EXPECT_EQ(refusals["looks_like_another"], 1);
+  EXPECT_EQ(refusals["told_apart"], 1);
   EXPECT_EQ(told_apart, std::set<ExperienceId>{first});
 }
 

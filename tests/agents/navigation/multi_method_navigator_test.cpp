@@ -39,7 +39,10 @@ class Part final : public Navigator {
   void begin_teach(const TeachStart& start) override { told_.taught.push_back(start); }
   std::vector<Kept> end_teach(const MapView&) override { return {}; }
   bool is_taught() const override { return told_.is_taught; }
-  void leave_teach() override { told_.is_taught = false; }
+  std::vector<Edge> leave_teach() override {
+    told_.is_taught = false;
+    return {};
+  }
   void keep_place() override {}
   OrRefusal<Kept> keep_alone(const TeachStart&, const MapView&) override { return tl::unexpected(Refusal{"no"}); }
   bool map_changed(const Window&, const Window&) override { return true; }

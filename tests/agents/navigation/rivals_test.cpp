@@ -49,7 +49,7 @@ class RivalsTest : public testing::Test, public Contents {
     }
     index_edges(window_);
   }
-  void begin(const PlaceId& at, const std::optional<ExperienceId>& left_out = std::nullopt) {
+  void begin(const PlaceId& at, const std::set<ExperienceId>& left_out = {}) {
     rivals_.begin({}, window_, at, {}, left_out);
   }
   OrRefusal<void> look(std::uint32_t tries) { return rivals_.look(window_, *this, decoded_, tries); }
@@ -106,7 +106,7 @@ TEST_F(RivalsTest, FarAlongTheSameRunIsElsewhere) {
 TEST_F(RivalsTest, ARunThatIsLeftOutIsNone) {
   teach(1, {10});
   teach(2, {10});
-  begin(id(1, 0), ExperienceId{2});
+  begin(id(1, 0), {ExperienceId{2}});
   EXPECT_TRUE(look(100));
 }
 
