@@ -108,9 +108,13 @@ void MapWindow::follow_search(bool has_fix, const MapContext& context, SteadyTim
 }
 
 void MapWindow::recentre(const std::optional<PlaceId>& durable, const MapContext& context, SteadyTime now) {
-  if (!focus_.follow(around(context.navigator), now)) return;
-  if (cache_.missing() > 0) want_contents(context, now);
-  const WindowFocus::Situation situation{.cap = cap_, .taught = context.taught, .durable = durable};
+  const bool is_beside = context.navigator.beside().has_value();
+  // What a run lies beside may leave the window before there is another stitch: it is asked for until it is there.
+  const bool has_moved = focus_.follow(around(context.navigator), now);
+  if (!has_moved && !is_beside) return;
+  if (has_moved && cache_.missing() > 0) want_contents(context, now);
+  const WindowFocus::Situation situation{
+      .cap = cap_, .taught = context.taught, .is_beside = is_beside, .durable = durable};
   if (std::optional<WindowDefinition> definition = focus_.recentred(replica_, situation)) {
     replica_.define(std::move(*definition), now);
   }

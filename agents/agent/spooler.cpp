@@ -46,6 +46,11 @@ Result<void> Spooler::add(const Kept& kept, SteadyTime now) {
   return {};
 }
 
+void Spooler::add(const Edge& edge) {
+  const auto found = open_.find(edge.id.b.experience);
+  if (found != open_.end()) found->second.batch.edges.push_back(edge);
+}
+
 /// Spools what a batch names first: a restarted agent is not to find an edge to a place that was in memory alone.
 Result<void> Spooler::flush_what_it_names(const Batch& batch, SteadyTime now) {
   for (const Edge& edge : batch.edges) {

@@ -53,6 +53,8 @@ class Spooler {
   /// Adds a kept place to its experience. conflict: that is not open. exhausted and other errors of the spool: that
   /// experience ends before this batch, and is sealed as soon as the spool takes that; the caller stops teaching.
   Result<void> add(const Kept& kept, SteadyTime now);
+  /// Adds an edge to the experience of its second place, for its next batch; where that is not open it is dropped.
+  void add(const Edge& edge);
   /// Hands in places of the map as they are known better, with their contents, at most kBatchPlaces: one batch, in
   /// the spool when this returns. All of them until the agent ends are of one experience without places of its own;
   /// `fresh` is its id when there is none yet. Errors of the spool: nothing of it is handed in.

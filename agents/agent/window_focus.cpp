@@ -34,7 +34,8 @@ std::optional<WindowDefinition> WindowFocus::recentred(const Replica& replica, c
     definition.centre.reset();
     return definition;
   }
-  const std::optional<PlaceId> centre = window.place(place_) != nullptr ? std::optional(place_) : situation.durable;
+  const bool is_in_map = window.place(place_) != nullptr || situation.is_beside;
+  const std::optional<PlaceId> centre = is_in_map ? std::optional(place_) : situation.durable;
   if (!centre.has_value()) return std::nullopt;
   const std::optional<PlaceId>& old = definition.centre;
   if (old.has_value() && is_near(window, *old, *centre, kDriftHops)) return std::nullopt;

@@ -21,6 +21,7 @@ class WindowFocus {
   struct Situation {
     std::uint32_t cap = 0;                ///< most places of the window
     std::optional<ExperienceId> taught;   ///< being taught
+    bool is_beside = false;               ///< that run lies beside the place, and nothing joins it to that yet
     std::optional<PlaceId> durable = {};  ///< the newest place of that place's experience that the server has
   };
   /// Returns the window that fits that place; none: the present one does. While teaching, any part of the

@@ -31,7 +31,7 @@ TEST(DifferenceOfRelations, WithOneOfThePlaneIsInThePlane) {
   const Metric3 above = in_space(along_axis(2, 0.5), 0.01);
   EXPECT_NEAR(difference(Metric2{}, above).metres, 0.0, 1e-9);
   EXPECT_LT(sigmas_apart(Metric2{}, above, 0.01, 0.01), 0.01);
-  EXPECT_NEAR(difference(Metric2{{0.3, 0.4, 0.1}, {}}, Metric2{}).metres, 0.5, 1e-9);
+  EXPECT_NEAR(difference(Metric2{{0.3, 0.4, 0.1}}, Metric2{}).metres, 0.5, 1e-9);
   EXPECT_NEAR(difference(AlongPath{0.3}, AlongPath{0.1}).metres, 0.2, 1e-9);
 }
 

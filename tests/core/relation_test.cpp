@@ -110,8 +110,8 @@ TEST(Relation, NormIsThatOfTheInverse) {
     EXPECT_NEAR(norm(relation, 0.0), distance_m(relation), 1e-12);
     EXPECT_GE(norm(relation, 2.0), norm(relation, 1.0));
   }
-  EXPECT_DOUBLE_EQ(norm(Metric2{{3.0, 0.0, 0.0}, {}}), 3.0);
-  EXPECT_DOUBLE_EQ(norm(Metric2{{0.0, 0.0, 1.0}, {}}, 0.5), 0.5);
+  EXPECT_DOUBLE_EQ(norm(Metric2{{3.0, 0.0, 0.0}}), 3.0);
+  EXPECT_DOUBLE_EQ(norm(Metric2{{0.0, 0.0, 1.0}}, 0.5), 0.5);
 }
 
 TEST(Relation, KindsMixDownwards) {
@@ -142,8 +142,8 @@ TEST(Relation, APlanarOneIsTheSameWhenRaised) {
 
 TEST(Relation, AlongThePathIsSignedByTheDirectionOfTravel) {
   const Relation none = AlongPath{};
-  const auto ahead = std::get<AlongPath>(compose(none, Metric2{{2.0, 0.5, 0.4}, {}}));
-  const auto behind = std::get<AlongPath>(compose(none, inverse(Metric2{{2.0, 0.5, 0.4}, {}})));
+  const auto ahead = std::get<AlongPath>(compose(none, Metric2{{2.0, 0.5, 0.4}}));
+  const auto behind = std::get<AlongPath>(compose(none, inverse(Metric2{{2.0, 0.5, 0.4}})));
   EXPECT_NEAR(ahead.distance_m, std::hypot(2.0, 0.5), 1e-12);
   EXPECT_NEAR(behind.distance_m, -ahead.distance_m, 1e-12);
   EXPECT_NEAR(behind.heading_shift_rad, -ahead.heading_shift_rad, 1e-12);

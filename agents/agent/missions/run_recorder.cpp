@@ -34,9 +34,16 @@ Result<void> RunRecorder::close(const std::string& reason, SteadyTime now) {
   return sealed;
 }
 
-Result<void> RunRecorder::seal(SteadyTime now) {
+/// Hands in what the navigator has held back.
+void RunRecorder::leave() {
   run_.told_apart = uses_.navigator.told_apart();
-  uses_.navigator.leave_teach();
+  const std::vector<Edge> held = uses_.navigator.leave_teach();
+  for (const Edge& edge : held) uses_.spooler.add(edge);
+  run_.count(held);
+}
+
+Result<void> RunRecorder::seal(SteadyTime now) {
+  leave();
   const Result<void> sealed = close("taught to its end", now);
   if (!sealed) uses_.navigator.forget_taught(uses_.map.window());
   return sealed;
@@ -49,7 +56,7 @@ void RunRecorder::break_off(SteadyTime now) {
     if (is_added) uses_.refining.add(last);
     is_spooled = is_added && is_spooled;
   }
-  uses_.navigator.leave_teach();
+  leave();
   is_spooled = bool(close("teaching broke off", now)) && is_spooled;
   if (!is_spooled) uses_.navigator.forget_taught(uses_.map.window());
 }

@@ -38,6 +38,7 @@ class RunRecorder {
 
  private:
   void begin(ExperienceId experience, const std::string& name, const std::string& method);
+  void leave();
   Result<void> close(const std::string& reason, SteadyTime now);
 
   Uses uses_;

@@ -1,7 +1,6 @@
 #include "agents/agent/missions/taught_run.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "core/names.hpp"
 
@@ -17,10 +16,12 @@ bool TaughtRun::joins(const Edge& edge) const {
 
 void TaughtRun::count(const Kept& place) {
   ++kept;
-  std::set<PlaceId> now;  // of places before this one, too, whose stitches were held back
-  for (const Edge& edge : place.edges)
-    if (joins(edge)) now.insert(edge.id.b);
-  joined += now.size();
+  count(place.edges);
+}
+
+void TaughtRun::count(const std::vector<Edge>& edges) {
+  for (const Edge& edge : edges)
+    if (joins(edge)) joined.insert(edge.id.b);
 }
 
 Result<TaughtRun> new_run(const std::string& name, const std::vector<std::string>& methods, ExperienceIds& ids) {
@@ -46,8 +47,8 @@ std::string summary(const TaughtRun& run) {
   for (const ExperienceId& other : run.told_apart)
     apart += (apart.empty() ? "; it looks like run " : ", ") + to_string(other);
   if (!apart.empty()) apart += ", and has been told apart from that by what lies around";
-  return run.joined > 0
-             ? places + ", " + std::to_string(run.joined) +
+  return !run.joined.empty()
+             ? places + ", " + std::to_string(run.joined.size()) +
                    " joined to what was taught before, or to its own beginning" + apart
              : places +
                    ", none joined to what was taught before, nor to its own beginning, in a way that can be driven" +

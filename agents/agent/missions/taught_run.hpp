@@ -18,13 +18,15 @@ struct TaughtRun {
   std::vector<ExperienceId> others;  ///< of the methods beside it
   std::string name;
   std::size_t kept = 0;                    ///< places of all its experiences
-  std::size_t joined = 0;                  ///< of these, to places of other runs or far back in the same one
+  std::set<PlaceId> joined = {};           ///< of these, to places of other runs or far back in the same one
   std::set<ExperienceId> told_apart = {};  ///< runs that it looks like and is not joined to
 
   /// Returns whether the edge joins the run to something. One between places that two cameras of this robot see does
   /// not, nor one that nobody can drive.
   bool joins(const Edge& edge) const;
   void count(const Kept& place);
+  /// Counts places that edges join which come later than they.
+  void count(const std::vector<Edge>& edges);
 };
 
 /// Draws the experiences of a run with these methods. refused: with the name of a method added, the name is too long.

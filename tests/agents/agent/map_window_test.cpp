@@ -88,6 +88,24 @@ TEST(MapWindow, WholeNetworkIsAskedForOnceInEachTaughtRun) {
   }
 }
 
+TEST(MapWindow, RunThatNothingJoinsYetHasTheMapThatItLiesBeside) {
+  MapBench bench(80);
+  bench.taught = ExperienceId{1};
+  bench.map.leave_proposals(PlaceId{bench.laid, 0}, bench.context(), bench.now);
+  bench.fetch_map();
+  bench.stand_on(0);
+  bench.recentre();  // asks for all
+  bench.map.leave_proposals(PlaceId{bench.laid, 0}, bench.context(), bench.now);
+  bench.fetch_map();
+  const PlaceId beside{bench.laid, 60};
+  ASSERT_EQ(bench.map.window().place(beside), nullptr);
+  bench.script->estimate = Estimate{{ExperienceId{1}, 3}, Relation{}, 0.0};
+  bench.script->beside = beside;
+  bench.now += 1s;
+  bench.recentre();
+  EXPECT_EQ(bench.centre(), beside);
+}
+
 TEST(MapWindow, EstimateWhosePlaceIsTakenOutIsAnchoredToWhatIsLeft) {
   MapBench bench;
   bench.fetch_map();

@@ -82,7 +82,10 @@ class ScriptedNavigator final : public Navigator {
     return keep_all();
   }
   bool is_taught() const override { return script_->teaching; }
-  void leave_teach() override { script_->teaching = false; }
+  std::vector<Edge> leave_teach() override {
+    script_->teaching = false;
+    return std::exchange(script_->held, {});
+  }
   std::unique_ptr<RunRefiner> refiner(std::string_view method) const override {
     if (!script_->refines.contains(std::string(method))) return nullptr;
     return std::make_unique<ScriptedRefiner>(script_);
@@ -108,6 +111,7 @@ class ScriptedNavigator final : public Navigator {
     script_->question.reset();
   }
   std::optional<PlaceId> suspected() const override { return script_->suspected; }
+  std::optional<PlaceId> beside() const override { return script_->beside; }
   Result<TeachReport> teach_report() const override { return script_->way; }
   std::vector<WatchedDiagnostic> watched() const override {
     return {{"height_offset_m", {0.007, 0.005}, {0.005, 0.003}, sunk, "its camera stands as high as before"}};

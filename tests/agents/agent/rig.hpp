@@ -38,6 +38,8 @@ struct Script {
   std::optional<Question> question;
   std::vector<std::pair<std::uint64_t, std::vector<PlaceId>>> proposed;
   std::optional<PlaceId> suspected;
+  std::optional<PlaceId> beside;
+  std::vector<Edge> held;  ///< back until teaching is left
   int stops = 0;
   int looks = 0;        ///< again, while believing what it believes
   int looks_ended = 0;  ///< in vain

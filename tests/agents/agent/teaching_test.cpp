@@ -206,6 +206,27 @@ TEST(Teaching, StopSaysHowManyPlacesAreJoined) {
             "3 places, 2 joined to what was taught before, or to its own beginning");
 }
 
+TEST(Teaching, WhatWasHeldBackIsHandedInWithTheSeal) {
+  Rig rig;
+  const ExperienceId laid = rig.lay_out(70, 2);
+  begin_sparingly(rig);
+  rig.tell(rig.command(Kind::keep_place, 2));
+  rig.run(3s);  // the places are with the server
+  const ExperienceId taught = rig.script->taught.front().experience;
+  Edge held = an_edge({laid, 1}, {taught, 0});
+  held.origin = Origin::stitch;
+  rig.script->held = {held};
+  rig.tell(rig.command(Kind::teach_stop, 4));
+  rig.run(3s);
+  EXPECT_NE(rig.last<msg::AgentReply>()->reason.find("1 joined"), std::string::npos)
+      << rig.last<msg::AgentReply>()->reason;
+  const Experience* const known = rig.server.snapshot.experience(taught);
+  ASSERT_NE(known, nullptr);
+  EXPECT_TRUE(known->sealed);
+  ASSERT_EQ(known->stitches.size(), 1U);
+  for (const Edge& edge : known->stitches) EXPECT_EQ(edge.id, held.id);
+}
+
 TEST(Teaching, StopIsAnsweredWhenTheMapHasAllOfIt) {
   Rig rig;
   rig.run(4s);

@@ -12,7 +12,7 @@ TEST(AgentRecords, AreTheLinesThatTheJudgeReads) {
   auto records = Records::open(folder.path(), "r1");
   ASSERT_TRUE(records.has_value());
   AgentOutput output;
-  output.fixes.push_back({.frame = 12, .fix = {{{0xA1}, 3}, Metric2{Pose2{0.25, -0.5, 0.125}, {}}, {}}});
+  output.fixes.push_back({.frame = 12, .fix = {{{0xA1}, 3}, Metric2{Pose2{0.25, -0.5, 0.125}}, {}}});
   output.acks.push_back({.experience = {0xA1}, .sequence = 2, .first = 5, .places = 4});
   msg::RouteProgress progress;
   progress.route.bytes[0] = 1;
@@ -84,7 +84,7 @@ TEST(AgentRecords, WhatAFullDiskTakesIsCounted) {
   output.acks.push_back({.experience = {0xA1}, .sequence = 2, .first = 5, .places = 4});
   records->note(output, 12);
   EXPECT_EQ(records->lost(), 0U);
-  output.fixes.push_back({.frame = 12, .fix = {{{0xA1}, 3}, Metric2{Pose2{0.25, -0.5, 0.125}, {}}, {}}});
+  output.fixes.push_back({.frame = 12, .fix = {{{0xA1}, 3}, Metric2{Pose2{0.25, -0.5, 0.125}}, {}}});
   records->note(output, 13);
   EXPECT_EQ(records->lost(), 1U);
 }
