@@ -373,6 +373,11 @@ class Localiser {
   OrRefusal<Fix> look_at(const PlaceId& id, const Content& there, const Content& seen, const Window& map,
                          const Contents& bytes, DecodedContents<M>& decoded) {
     const OrRefusal<Related> related = method_->relate(there, seen, std::nullopt);
+    if constexpr (Contradicts<M>) {
+      // What looks alike is told apart by no more than this.
+      const double against = related ? method_->contradiction(there, seen, related->a_from_b) : 0.0;
+      if (against > 0.0) return tl::unexpected(Refusal{"contradicted", against, 0.0});
+    }
     if (related) return Fix{id, related->a_from_b, *related};
     if constexpr (ChartsItself<M>) {
       if (seek_.seeded()) {

@@ -12,19 +12,19 @@ namespace {
 using test::Course;
 using test::NavigatedRobot;
 
-constexpr ExperienceId kOther{1};
-constexpr ExperienceId kOwn{2};
+constexpr ExperienceId kRunBefore{1};
+constexpr ExperienceId kRunNow{2};
 
 Edge stitch(std::uint32_t index) {
   Edge edge;
-  edge.id = {PlaceId{kOther, index}, PlaceId{kOwn, index}};
+  edge.id = {PlaceId{kRunBefore, index}, PlaceId{kRunNow, index}};
   edge.origin = Origin::stitch;
   return edge;
 }
 
 /// Returns what a place shows that is stitched to another run, or that something speaks against.
 HeldStitches::AtPlace found(std::vector<Edge> stitches, double contradiction = 0.0) {
-  return {true, std::move(stitches), {{kOther, contradiction}}};
+  return {true, std::move(stitches), {{kRunBefore, contradiction}}};
 }
 
 TEST(HeldStitches, AShortWayBesideOthersIsHeldUntilTheRunEnds) {
@@ -33,7 +33,7 @@ TEST(HeldStitches, AShortWayBesideOthersIsHeldUntilTheRunEnds) {
     held.take(found({stitch(i)}), 0.5 * i);
     EXPECT_TRUE(held.proven(0.5 * i).empty());
   }
-  EXPECT_EQ(held.beside(), (PlaceId{kOther, 9}));
+  EXPECT_EQ(held.beside(), (PlaceId{kRunBefore, 9}));
   EXPECT_EQ(held.rest().size(), 10U);
   EXPECT_TRUE(held.rest().empty()) << "each is handed in once";
   EXPECT_FALSE(held.beside());
@@ -97,7 +97,7 @@ TEST(HeldStitches, WhatIsContradictedIsGivenUpForGood) {
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->reason, "told_apart");
   EXPECT_DOUBLE_EQ(refusal->measured, 13.0);
-  EXPECT_EQ(held.elsewhere(), std::set<ExperienceId>{kOther});
+  EXPECT_EQ(held.elsewhere(), std::set<ExperienceId>{kRunBefore});
   EXPECT_TRUE(held.rest().empty());
   EXPECT_FALSE(held.disproved());
 }
@@ -123,21 +123,21 @@ TEST(HeldStitches, ARunThatIsJoinedAlreadyIsNotLeftOutWhereItSeemsToBeOnceMore) 
 }
 
 /// Sees marks, and is told what speaks against two places being one.
-class Doubting : public MarksMethod {
+class ToldWhatContradicts : public MarksMethod {
  public:
-  explicit Doubting(std::function<double()> contradicts) : contradicts_(std::move(contradicts)) {}
+  explicit ToldWhatContradicts(std::function<double()> contradicts) : contradicts_(std::move(contradicts)) {}
   double contradiction(const Content&, const Content&, const Relation&) const { return contradicts_(); }
 
  private:
   std::function<double()> contradicts_;
 };
-static_assert(Contradicts<Doubting>);
+static_assert(Contradicts<ToldWhatContradicts>);
 static_assert(!Contradicts<MarksMethod>);
 
 class TwoRunsOnOneWay : public MarksFleet {
  protected:
   std::unique_ptr<Navigator> navigator() const override {
-    return make_navigator(Doubting([this] { return asked++ < after ? 0.0 : contradicts; }), navigation);
+    return make_navigator(ToldWhatContradicts([this] { return asked++ < after ? 0.0 : contradicts; }), navigation);
   }
   void teach_both() {
     const std::vector<Pose2> way = Course({5, 5, 0}).straight(6.0).poses;
@@ -193,6 +193,18 @@ TEST_F(TwoRunsOnOneWay, NothingIsHandedInBeforeTheEndAndAllThen) {
     robot.step(server.map(), true);
   EXPECT_GT(to_another(last), kept / 2);
   EXPECT_FALSE(robot.navigator().beside());
+}
+
+TEST_F(TwoRunsOnOneWay, ALostRobotIsFoundWhereNothingSpeaksAgainstAlone) {
+  teach(first, Course({5, 5, 0}).straight(6.0).poses);
+  for (const double against : {0.0, 5.0}) {
+    contradicts = against;
+    NavigatedRobot robot = robot_at({7.0, 5.0, 0.0}, 3);
+    robot.navigator().seek(std::nullopt);
+    run(robot, 60);
+    EXPECT_EQ(robot.navigator().estimate().has_value(), against == 0.0);
+    EXPECT_EQ(robot.refusals["contradicted"] > 0, against > 0.0);
+  }
 }
 
 TEST_F(TwoRunsOnOneWay, AreNotStitchedAtAllWhereEnoughSpeaksAgainstInTheEnd) {
