@@ -84,8 +84,8 @@ Result<std::optional<Measured>> SeedTrials::measure(const std::string& trial) {
 
 Result<std::optional<Measured>> SeedTrials::measure_alone(const std::string& trial) const {
   constexpr double whole_m = 1e6;
-  constexpr double quick_from_m = 4.5;  // of the hall's S: one of its bends
-  constexpr double quick_to_m = 17.5;
+  constexpr double quick_from_m = 2.5;  // of the hall's S: one of its bends
+  constexpr double quick_to_m = 19.5;
   if (trial == trial::kDepth) return measure_depth(scenes_, driven_);
   if (trial == trial::kOneWay) return measure_one_way(scenes_, driven_);
   if (trial == trial::kOtherRobot) return measure_other_robot(scenes_, driven_);
