@@ -58,7 +58,7 @@ struct StitchConfig {
   double proven_m = 60.0;    ///< driven beside other runs, uncontradicted: their stitches are handed in at once; on a
                              ///< shorter way they wait until it has parted, or the run ends; (0, 1000]
   double parted_m = 10.0;    ///< driven with no place of other runs within reach: the way has parted; (0, 100]
-  double most_contradiction = 12.0;  ///< parts of views, summed up, that may speak against another run; [0, 1000]
+  double most_contradiction = 8.0;  ///< parts of views, summed up, that may speak against another run; [0, 1000]
   double most_contradiction_of_a_place = 8.0;  ///< so much one place adds at most: several have to agree; (0, 1000]
   double sure_m = 0.2;          ///< sigma along a path that a stitch may have which knows no pose; (0, 1]
   double drivable_m = 0.6;      ///< places farther apart cannot be driven across; (0, 3]

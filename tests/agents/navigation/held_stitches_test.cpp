@@ -90,13 +90,13 @@ TEST(HeldStitches, WhatIsContradictedIsGivenUpForGood) {
   HeldStitches held{StitchConfig{}};
   held.take(found({stitch(0)}, 100.0), 0.0);
   EXPECT_FALSE(held.disproved()) << "one place is not enough";
-  held.take(found({stitch(1)}, 4.0), 0.5);
+  held.take(found({stitch(1)}), 0.5);
   EXPECT_FALSE(held.disproved()) << "no more than the bound";
   held.take(found({}, 1.0), 1.0);
   const std::optional<Refusal> refusal = held.disproved();
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->reason, "told_apart");
-  EXPECT_DOUBLE_EQ(refusal->measured, 13.0);
+  EXPECT_DOUBLE_EQ(refusal->measured, 9.0);
   EXPECT_EQ(held.elsewhere(), std::set<ExperienceId>{kRunBefore});
   EXPECT_TRUE(held.rest().empty());
   EXPECT_FALSE(held.disproved());
