@@ -109,7 +109,7 @@ void MapWindow::follow_search(bool has_fix, const MapContext& context, SteadyTim
 
 void MapWindow::recentre(const std::optional<PlaceId>& durable, const MapContext& context, SteadyTime now) {
   const bool is_beside = context.navigator.beside().has_value();
-  // What a run lies beside may leave the window before there is another stitch: it is asked for until it is there.
+  // The window is asked for until it has what the run lies beside: there may be no other stitch before.
   const bool has_moved = focus_.follow(around(context.navigator), now);
   if (!has_moved && !is_beside) return;
   if (has_moved && cache_.missing() > 0) want_contents(context, now);

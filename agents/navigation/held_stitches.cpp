@@ -13,7 +13,7 @@ void HeldStitches::take(const AtPlace& found, double driven_m) {
       if (by > 0.0) contradictions_[other] += std::min(by, config_.most_contradiction_of_a_place);
   }
   if (found.stitches.empty()) return;
-  // Of a way on which nothing was recognised little is proven.
+  // A way on which nothing was recognised proves little.
   if (!held_.empty()) beside_m_ += std::min(driven_m - stitched_m_, config_.parted_m);
   stitched_m_ = near_m_ = driven_m;
   held_.insert(held_.end(), found.stitches.begin(), found.stitches.end());
@@ -23,7 +23,7 @@ std::optional<Refusal> HeldStitches::disproved() {
   const auto worst = std::ranges::max_element(contradictions_, {}, [](const auto& one) { return one.second; });
   if (worst == contradictions_.end() || worst->second <= config_.most_contradiction) return std::nullopt;
   const Refusal refusal{"told_apart", worst->second, config_.most_contradiction};
-  // What it was joined to before it came here it is joined to; that it seems to be there again is wrong all the same.
+  // Runs that it was joined to before stay joined to it; only that it seems to lie beside them once more is wrong.
   if (!joined_.contains(worst->first)) elsewhere_.insert(worst->first);
   for (const Edge& stitch : held_)
     if (!joined_.contains(stitch.id.a.experience)) elsewhere_.insert(stitch.id.a.experience);

@@ -374,7 +374,7 @@ class Localiser {
                          const Contents& bytes, DecodedContents<M>& decoded) {
     const OrRefusal<Related> related = method_->relate(there, seen, std::nullopt);
     if constexpr (Contradicts<M>) {
-      // What looks alike is told apart by no more than this.
+      // Places that look alike are told apart by no more than this.
       const double against = related ? method_->contradiction(there, seen, related->a_from_b) : 0.0;
       if (against > 0.0) return tl::unexpected(Refusal{"contradicted", against, 0.0});
     }

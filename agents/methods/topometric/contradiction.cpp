@@ -137,7 +137,7 @@ ExpectedInView expected_in_view(const TopometricContent& a, const PlaceCloud& b,
 }
 
 double Topometric::contradiction(const Content& a, const Content& b, const Relation& a_from_b) const {
-  // What has come or gone hides what is around it, too, and shows blank walls there.
+  // A crate that has come or gone hides what is around it, too, and bares blank walls there.
   constexpr double of_through = 2.0;
   // One view of a place shows a few parts that another does not, at edges and where texture is faint.
   constexpr double fewest = 5.0;
