@@ -2,6 +2,7 @@
 #include <limits>
 #include <queue>
 
+#include "core/network/no_path.hpp"
 #include "core/network/search.hpp"
 
 namespace weft {
@@ -88,12 +89,6 @@ std::vector<Label> settle(const Snapshot& snapshot, const Numbering& numbering, 
   return labels;
 }
 
-std::string list(const std::set<std::string>& methods) {
-  std::string text;
-  for (const std::string& method : methods) text += (text.empty() ? "" : ", ") + method;
-  return text.empty() ? "none" : text;
-}
-
 Error no_path(const Numbering& numbering, const std::vector<Label>& labels, const PlaceId& from, const PlaceId& to,
               const std::set<std::string>& methods) {
   std::size_t reached = 0;
@@ -103,10 +98,9 @@ Error no_path(const Numbering& numbering, const std::vector<Label>& labels, cons
     ++reached;
     if (labels[i].cost > labels[farthest].cost) farthest = i;
   }
-  return {ErrorCode::not_found, "no path from " + to_string(from) + " to " + to_string(to) +
-                                    " that can be driven with methods: " + list(methods) + "; " +
-                                    std::to_string(reached) + " places can be reached, the farthest is " +
-                                    to_string(numbering.id(farthest)) + "; teach a connection"};
+  return {ErrorCode::not_found, no_path_text(from, to, methods) + "; " + std::to_string(reached) +
+                                    " places can be reached, the farthest is " + to_string(numbering.id(farthest)) +
+                                    "; teach a connection"};
 }
 
 }  // namespace

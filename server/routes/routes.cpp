@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/network/no_path.hpp"
+
 namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
@@ -90,14 +92,17 @@ Error Routes::no_way(const PlaceId& from, const PlaceId& to, const std::set<std:
   const Key key{to, methods};
   const auto known = words_.find(key);
   const bool are_there = snapshot.place(from) != nullptr && snapshot.place(to) != nullptr;
-  if (known != words_.end() && are_there && now - known->second.said_at < kWordsHold) return known->second.error;
+  if (known != words_.end() && are_there && now - known->second.said_at < kWordsHold) {
+    if (known->second.from == from) return known->second.error;
+    return {ErrorCode::not_found, no_path_text(from, to, methods) + "; teach a connection"};
+  }
   const Result<Path> path = shortest_path(snapshot, from, to, methods);
   // Only a preparation that is wrong gets here with a path: said, not driven.
   const Error error =
       path ? Error{ErrorCode::internal, "path: prepared routes miss a way that there is"} : path.error();
   if (!are_there) return error;
   if (words_.size() >= kMostWords) words_.clear();
-  words_.insert_or_assign(key, Words{error, now});
+  words_.insert_or_assign(key, Words{from, error, now});
   return error;
 }
 

@@ -52,6 +52,7 @@ class Routes {
   };
   using Key = std::pair<PlaceId, std::set<std::string>>;
   struct Words {
+    PlaceId from;
     Error error;
     SteadyTime said_at;
   };

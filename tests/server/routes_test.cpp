@@ -13,7 +13,9 @@
 namespace weft::server {
 namespace {
 using namespace std::chrono_literals;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::set<std::string> kFloor{"floor"};
 
@@ -183,6 +185,10 @@ TEST(Routes, SayFromWhereOneGetsNoFartherOnceInAWhile) {
   const auto words = [&] { return rig.routes.find(from, to, {"marks"}, rig.now.steady).error().message; };
   const std::string first = words();
   EXPECT_EQ(first, shortest_path(rig.network(), from, to, {"marks"}).error().message);
+  // Another place is named though how far one gets from there is not looked up now.
+  const PlaceId other{from.experience, 1};
+  EXPECT_THAT(rig.routes.find(other, to, {"marks"}, rig.now.steady).error().message,
+              AllOf(HasSubstr("no path from " + to_string(other) + " to "), Not(HasSubstr("can be reached"))));
   // The map grows where it does not help.
   const support::BatchPlan plan{from.experience, rig.network().experience(from.experience)->robot, 3, 4, 0, "marks"};
   rig.snapshots.push(with(rig.network(), support::make_batch(random, rig.network(), plan)));
