@@ -32,13 +32,13 @@ class Operator {
   /// Gives each robot its lesson, or tells it where it stands on a stored map; then sends each to a station. False
   /// when it could not be done in time.
   bool begin(MapFrom map);
-  /// Lets time pass; faults play.
+  /// Does one of the things that people do.
   void errand();
   /// Looks at the goals that have not ended, and helps.
   void help();
-  /// Returns the number of goals that this operator has not seen end, as of its last look.
+  /// Lets time pass; faults play.
   void pass(Duration time);
-  /// Returns why `begin` gave up.
+  /// Returns the number of goals that this operator has not seen end, as of its last look.
   std::size_t open_goals() const { return open_.size(); }
   /// Returns why `begin` gave up.
   const std::string& trouble() const { return trouble_; }
@@ -84,6 +84,7 @@ class Operator {
   void look_around();
   void help_all_waiting();
   void lead_back(std::size_t robot);
+  std::set<std::size_t> at_dead_ends() const;
   void help_waiting(const GoalId& id, Open& open);
   bool waits_for(std::size_t robot, const std::string& other) const;
   std::optional<std::size_t> blocker_of(const Goal& goal) const;

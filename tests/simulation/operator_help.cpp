@@ -227,9 +227,26 @@ void Operator::lead_back(std::size_t robot) {
   ++led_back_;
 }
 
+/// Returns the robots that stand where no way leads on from, as goals say that wait for one: a run by hand may end
+/// beside all lanes.
+std::set<std::size_t> Operator::at_dead_ends() const {
+  std::set<std::size_t> robots;
+  for (const auto& [id, open] : open_) {
+    if (open.goal.history.empty()) continue;
+    for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
+      const std::string from_there = "no path from " + to_string(fleet_.state(robot).place) + " to ";
+      if (open.goal.history.back().cause.starts_with(from_there)) robots.insert(robot);
+    }
+  }
+  return robots;
+}
+
 void Operator::help() {
   look_around();
-  if (people_ == People::help) help_all_waiting();
+  if (people_ == People::help) {
+    help_all_waiting();
+    for (const std::size_t robot : at_dead_ends()) teach_more(robot);
+  }
   for (const std::size_t robot : std::exchange(strays_, {})) lead_back(robot);
   for (std::size_t robot = 0; robot < fleet_.robots(); ++robot) {
     const msg::RobotState& state = fleet_.state(robot);
