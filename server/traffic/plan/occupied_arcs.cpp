@@ -1,5 +1,7 @@
 #include "server/traffic/plan/occupied_arcs.hpp"
 
+#include <algorithm>
+
 namespace weft::server {
 
 std::span<const OccupiedArcs::Arc> OccupiedArcs::next(Berth from, std::uint32_t methods) {
@@ -24,11 +26,11 @@ OccupiedArcs::Range OccupiedArcs::look(Berth from, std::uint32_t methods) {
   return {first, arcs_.size() - first, true};
 }
 
-Berth OccupiedArcs::other_than(const Arc& arc, Berth own) {
-  for (const Berth berth : arc.touches) {
-    if (berths_.at(berth).occupants > (berth == own ? 1U : 0U)) return berth;
-  }
-  return kNoBerth;
+Berth OccupiedArcs::occupied_on(const Arc& arc) {
+  if (arc.occupants == 0) return kNoBerth;
+  const auto is_occupied = [this](Berth berth) { return berths_.at(berth).occupants > 0; };
+  const auto found = std::ranges::find_if(arc.touches, is_occupied);
+  return found == arc.touches.end() ? kNoBerth : *found;
 }
 
 void OccupiedArcs::count(Berth berth, int more) {

@@ -25,9 +25,8 @@ class OccupiedArcs {
   /// Notes that one more stands there, or one less.
   void occupy(Berth berth) { count(berth, 1); }
   void vacate(Berth berth) { count(berth, -1); }
-  /// Returns a berth on that drive at which somebody stands besides the one that stands at `own`; kNoBerth: there is
-  /// none.
-  Berth occupied_on(const Arc& arc, Berth own) { return arc.occupants == 0 ? kNoBerth : other_than(arc, own); }
+  /// Returns a berth on that drive at which somebody stands; kNoBerth: there is none.
+  Berth occupied_on(const Arc& arc);
 
  private:
   struct Range {
@@ -41,7 +40,6 @@ class OccupiedArcs {
   };
 
   Range look(Berth from, std::uint32_t methods);
-  Berth other_than(const Arc& arc, Berth own);
   void count(Berth berth, int more);
 
   BerthGraph& graph_;

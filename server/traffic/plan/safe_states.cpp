@@ -54,6 +54,23 @@ void SafeStates::set_away(std::uint32_t robot, bool is_away) {
   }
 }
 
+/// Leaves a robot out of what is occupied for as long as it lives: nobody is in its own way.
+class SafeStates::OthersOnly {
+ public:
+  OthersOnly(SafeStates& states, std::uint32_t robot)
+      : states_(states), robot_(robot), was_away_(states.is_away_[robot]) {
+    states_.set_away(robot_, true);
+  }
+  OthersOnly(const OthersOnly&) = delete;
+  OthersOnly& operator=(const OthersOnly&) = delete;
+  ~OthersOnly() { states_.set_away(robot_, was_away_); }
+
+ private:
+  SafeStates& states_;
+  std::uint32_t robot_;
+  bool was_away_;
+};
+
 /// Returns whether the robot gets away past those that are not away yet. In a small network nobody does, and it is
 /// looked at pairs only: see `Meetings`.
 bool SafeStates::gets_away(std::uint32_t robot, std::vector<bool>* touched, std::vector<Berth>* blocked_at) {
@@ -61,14 +78,15 @@ bool SafeStates::gets_away(std::uint32_t robot, std::vector<bool>* touched, std:
   const Lanes::Ahead& ahead = lanes_.ahead(stand);
   if (ahead.is_small) return true;
   ++searches_;
+  const OthersOnly others(*this, robot);
   std::vector<Berth>& reached = reached_;
   reached.assign(1, stand.berth);
   seen_.at(stand.berth) = searches_;
   for (std::size_t i = 0; i < reached.size() && reached.size() < ahead.enough; ++i) {
     for (const OccupiedArcs::Arc& arc : arcs_.next(reached[i], stand.methods)) {
       if (seen_.at(arc.to) == searches_) continue;
-      if (const Berth berth = arcs_.occupied_on(arc, stand.berth); berth != kNoBerth) {
-        if (blocked_at != nullptr) blocked_at->push_back(berth);
+      if (arc.occupants > 0) {
+        if (blocked_at != nullptr) blocked_at->push_back(arcs_.occupied_on(arc));
         continue;
       }
       seen_.at(arc.to) = searches_;
@@ -95,12 +113,16 @@ std::vector<Berth> SafeStates::way_out(std::uint32_t robot, std::size_t most) {
 bool SafeStates::is_way_out(std::uint32_t robot, const std::vector<Berth>& over) {
   const Lanes::Stand stand = robots_[robot];
   Berth here = stand.berth;
-  const bool is_free = std::ranges::all_of(over, [&](Berth to) {
+  const auto is_free = [&](Berth to) {
     const std::span<const OccupiedArcs::Arc> next = arcs_.next(std::exchange(here, to), stand.methods);
     const auto arc = std::ranges::find(next, to, &OccupiedArcs::Arc::to);
-    return arc != next.end() && arcs_.occupied_on(*arc, stand.berth) == kNoBerth;
-  });
-  return is_free && stuck_by(robot, here, {}).empty();
+    return arc != next.end() && arc->occupants == 0;
+  };
+  const auto are_free = [&] {
+    const OthersOnly others(*this, robot);
+    return std::ranges::all_of(over, is_free);
+  };
+  return are_free() && stuck_by(robot, here, {}).empty();
 }
 
 /// Returns whom it concerns that the robot stands there: itself, and whose ways out lead by.

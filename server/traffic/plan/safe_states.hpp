@@ -51,6 +51,8 @@ class SafeStates {
     std::vector<bool> touched;  ///< by berth
   };
 
+  class OthersOnly;
+
   std::vector<std::uint32_t> with_blockers(std::uint32_t robot, Berth to);
   std::vector<std::uint32_t> newly_stuck(std::uint32_t robot, Berth to);
   std::vector<std::uint32_t> stuck_around(std::vector<std::uint32_t> robots);
