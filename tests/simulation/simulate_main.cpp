@@ -76,11 +76,14 @@ struct Life {
   auto operator<=>(const Life&) const = default;
 };
 
-/// Returns the lives of every seed on every site, seed by seed.
+/// Returns the lives of every seed on every site, seed by seed; each begins with another site, so that of two workers
+/// not one has all the lives on the site that takes longer.
 std::vector<Life> lives_of(const Options& options, const Seeds& seeds) {
   std::vector<Life> lives;
   for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
-    for (const std::string& site : options.sites) lives.push_back({site, seed});
+    for (std::size_t i = 0; i < options.sites.size(); ++i) {
+      lives.push_back({options.sites[(i + seed) % options.sites.size()], seed});
+    }
   }
   return lives;
 }
