@@ -11,7 +11,9 @@ namespace {
 
 using namespace agents;
 
-constexpr double kBlockedForS = 2.0;   // then its route ends (docs/simulation.md has traffic's)
+constexpr double kBlockedForS = 2.0;  // then it says so
+constexpr double kEndsAfterS =
+    30.0;  // blocked: then its route ends, and the hop is closed (server/dispatcher/blocked)
 constexpr double kStandsForS = 60.0;   // then it has given up
 constexpr double kRestsForS = 1.0;     // after arriving, for the base to come to rest
 constexpr std::size_t kMostPlans = 8;  // for one goal
@@ -63,6 +65,7 @@ class Delivering {
     ride_.navigator().follow(route_);
     stands_since_s_ = ride_.now_s();
     blocked_since_s_.reset();
+    says_blocked_ = false;
     return true;
   }
 
@@ -96,19 +99,28 @@ class Delivering {
     return "stands: lost: " + ride_.last_refused();
   }
 
-  /// Returns whether something has stood in its way for long enough.
+  /// Notes when something has stood in its way for long enough to say so. Returns whether its route ends by that.
   bool is_blocked(const Navigated& now) {
     if (now.reason != "blocked") {
       blocked_since_s_.reset();
+      says_blocked_ = false;
       return false;
     }
-    if (!blocked_since_s_) blocked_since_s_ = ride_.now_s();
-    return ride_.now_s() - *blocked_since_s_ >= kBlockedForS || now.following == Following::failed;
+    const double now_s = ride_.now_s();
+    if (!blocked_since_s_) blocked_since_s_ = now_s;
+    const double for_s = now_s - *blocked_since_s_;
+    const bool has_failed = now.following == Following::failed;
+    if (for_s >= kBlockedForS || has_failed) say_blocked();
+    return for_s >= kEndsAfterS || has_failed;
+  }
+
+  void say_blocked() {
+    if (std::exchange(says_blocked_, true)) return;
+    ++delivery_.blocked;
+    if (!delivery_.blocked_sample) delivery_.blocked_sample = ride_.samples() - 1;
   }
 
   bool plan_round(const Navigated& now) {
-    ++delivery_.blocked;
-    if (!delivery_.blocked_sample) delivery_.blocked_sample = ride_.samples() - 1;
     const std::size_t at = now.route_at;
     if (at + 1 < route_.places.size()) {
       closed_.insert({route_.places[at], route_.places[at + 1]});
@@ -134,6 +146,7 @@ class Delivering {
   double driven_after_m_ = 0.0;
   std::optional<double> arrived_s_;
   std::optional<double> blocked_since_s_;
+  bool says_blocked_ = false;
 };
 
 }  // namespace

@@ -18,8 +18,8 @@ struct Delivery {
   std::size_t to_sample = 0;                       ///< the last of it
   double route_m = 0.0;                            ///< as the map has it, when it set out
   std::size_t plans = 0;                           ///< routes that it was given
-  std::size_t blocked = 0;                         ///< routes that ended as something stood in the way
-  std::optional<std::size_t> blocked_sample = {};  ///< at which the first of them did
+  std::size_t blocked = 0;                         ///< times that it said that something stood in its way
+  std::optional<std::size_t> blocked_sample = {};  ///< at which it said so first
 };
 
 /// Bounds a drive.
@@ -34,7 +34,7 @@ Result<std::optional<bool>> find_itself(Ride& ride, const Rider& rider, const Ta
                                         const std::optional<PlaceId>& told, double within_s);
 
 /// Drives to a place as the server would send it there: over the shortest route, and over another one when something
-/// has stood in its way for two seconds (that hop is closed for the rest of this goal), or when it was lost and has
+/// has stood in its way for half a minute (that hop is closed for the rest of this goal), or when it was lost and has
 /// found itself. None: stopped.
 Result<std::optional<Delivery>> deliver(Ride& ride, const Rider& rider, const Taught& taught, const PlaceId& goal,
                                         const DeliveryLimits& limits);
