@@ -11,9 +11,8 @@ namespace {
 
 using namespace agents;
 
-constexpr double kBlockedForS = 2.0;  // then it says so
-constexpr double kEndsAfterS =
-    30.0;  // blocked: then its route ends, and the hop is closed (server/dispatcher/blocked)
+constexpr double kBlockedForS = 2.0;   // then it says so (agents/agent/blocked_watch.cpp)
+constexpr double kEndsAfterS = 30.0;   // then its route ends (server/dispatcher/blocked.cpp)
 constexpr double kStandsForS = 60.0;   // then it has given up
 constexpr double kRestsForS = 1.0;     // after arriving, for the base to come to rest
 constexpr std::size_t kMostPlans = 8;  // for one goal
